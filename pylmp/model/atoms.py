@@ -1,0 +1,164 @@
+"""The atoms: a structure of numpy arrays in LAMMPS's local order.
+
+Rows ``0 .. n-1`` are owned atoms, rows ``n .. n+ghosts-1`` are ghosts (periodic images), rows beyond are spare.
+All arrays share one capacity. Only ``x v f tag type mask`` mean anything in ghost rows.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Ints = NDArray[np.int64]
+Floats = NDArray[np.float64]
+
+_PER_ATOM = (
+    "x", "v", "f", "tag", "type", "mask", "image", "molecule",
+    "num_bond", "bond_type", "bond_atom", "bond_history", "num_special", "special",
+)  # fmt: skip
+
+
+class Atoms:
+    """Per-atom arrays.
+
+    x v f         (capacity, 3) float64: position, velocity, force
+    tag           (capacity,) int64: atom ID, from 1
+    type mask     (capacity,) int64: atom type from 1; group bits (bit 0 = all)
+    image         (capacity, 3) int64: periodic image flags
+    molecule      (capacity,) int64
+    num_bond      (capacity,) int64: bond slots in use
+    bond_type bond_atom   (capacity, bond_per_atom) int64: a slot's bond type (<= 0: off or broken) and partner ID
+    bond_history  (capacity, bond_per_atom, width) float64: what a slot's bond remembers (r0, ep)
+    num_special   (capacity, 3) int64: cumulative counts of 1-2, 1-3, 1-4 neighbors in special
+    special       (capacity, max_special) int64: their IDs
+    extra         name -> (capacity, ...) array: what a fix or style stores per atom; rides along with the atoms
+    """
+
+    x: Floats
+    v: Floats
+    f: Floats
+    tag: Ints
+    type: Ints
+    mask: Ints
+    image: Ints
+    molecule: Ints
+    num_bond: Ints
+    bond_type: Ints
+    bond_atom: Ints
+    bond_history: Floats
+    num_special: Ints
+    special: Ints
+
+    def __init__(self, bond_per_atom: int = 0, max_special: int = 1) -> None:
+        self.n = 0
+        self.ghosts = 0
+        self.bond_per_atom = bond_per_atom
+        self.max_special = max_special
+        self.extra: dict[str, NDArray[np.generic]] = {}
+        for name in ("x", "v", "f"):
+            setattr(self, name, np.zeros((0, 3)))
+        for name in ("tag", "type", "mask", "molecule", "num_bond"):
+            setattr(self, name, np.zeros(0, np.int64))
+        self.image = np.zeros((0, 3), np.int64)
+        self.bond_type = np.zeros((0, bond_per_atom), np.int64)
+        self.bond_atom = np.zeros((0, bond_per_atom), np.int64)
+        self.bond_history = np.zeros((0, bond_per_atom, 0))
+        self.num_special = np.zeros((0, 3), np.int64)
+        self.special = np.zeros((0, max_special), np.int64)
+
+    @property
+    def capacity(self) -> int:
+        return len(self.tag)
+
+    @property
+    def total(self) -> int:
+        """Owned and ghost atoms."""
+        return self.n + self.ghosts
+
+    def reserve(self, rows: int) -> bool:
+        """Make room for rows rows; True if the arrays moved (addresses held elsewhere are then stale)."""
+        if rows <= self.capacity:
+            return False
+        rows += rows // 4 + 64
+        for name in _PER_ATOM:
+            setattr(self, name, _grown(getattr(self, name), rows))
+        for name in self.extra:
+            self.extra[name] = _grown(self.extra[name], rows)
+        return True
+
+    def append(self, x: Floats, type_: Ints | int) -> range:
+        """Add atoms after the owned ones; ghosts are forgotten. IDs, images, velocities stay 0, group all.
+
+        x  (k, 3). Returns the new rows.
+        """
+        new = range(self.n, self.n + len(x))
+        self.clear_ghosts()
+        self.reserve(new.stop)
+        rows = slice(new.start, new.stop)
+        for name in _PER_ATOM:
+            getattr(self, name)[rows] = 0
+        for array in self.extra.values():
+            array[rows] = np.zeros((), array.dtype)
+        self.x[rows], self.type[rows], self.mask[rows] = x, type_, 1
+        self.n = new.stop
+        return new
+
+    def number(self) -> None:
+        """Give every atom without an ID (0) the next one above the largest, in local order."""
+        tags = self.tag[: self.n]
+        nameless = tags == 0
+        largest = int(tags.max()) if self.n else 0
+        tags[nameless] = largest + 1 + np.arange(int(nameless.sum()))
+
+    def permute(self, order: Ints) -> None:
+        """Put owned atom order[k] at row k. Ghosts are forgotten."""
+        self.clear_ghosts()
+        for name in _PER_ATOM:
+            array = getattr(self, name)
+            array[: self.n] = array[: self.n][order]
+        for array in self.extra.values():
+            array[: self.n] = array[: self.n][order]
+
+    def clear_ghosts(self) -> None:
+        self.ghosts = 0
+
+    def rows_by_tag(self) -> Ints:
+        """(largest ID + 1,) owned row of each ID, -1 where there is none."""
+        tags = self.tag[: self.n]
+        rows = np.full(int(tags.max()) + 1 if self.n else 1, -1, np.int64)
+        rows[tags[::-1]] = np.arange(self.n)[::-1]
+        return rows
+
+    def widen_bonds(self, bond_per_atom: int) -> None:
+        """Room for more bond slots per atom."""
+        extra = bond_per_atom - self.bond_per_atom
+        if extra > 0:
+            self.bond_type = np.pad(self.bond_type, ((0, 0), (0, extra)))
+            self.bond_atom = np.pad(self.bond_atom, ((0, 0), (0, extra)))
+            self.bond_history = np.pad(self.bond_history, ((0, 0), (0, extra), (0, 0)))
+            self.bond_per_atom = bond_per_atom
+
+    def set_history(self, width: int) -> None:
+        """Give every bond slot width remembered numbers, all 0."""
+        self.bond_history = np.zeros((self.capacity, self.bond_per_atom, width))
+
+    def widen_special(self, max_special: int) -> None:
+        extra = max_special - self.max_special
+        if extra > 0:
+            self.special = np.pad(self.special, ((0, 0), (0, extra)))
+            self.max_special = max_special
+
+    def drop_slot(self, row: int, slot: int) -> None:
+        """Remove a bond slot of an owned atom: the last slot, with its history, moves into the hole."""
+        last = int(self.num_bond[row]) - 1
+        self.bond_type[row, slot] = self.bond_type[row, last]
+        self.bond_atom[row, slot] = self.bond_atom[row, last]
+        self.bond_history[row, slot] = self.bond_history[row, last]
+        self.bond_history[row, last] = 0.0
+        self.num_bond[row] = last
+
+
+def _grown(array: NDArray[np.generic], rows: int) -> NDArray[np.generic]:
+    bigger = np.zeros((rows, *array.shape[1:]), array.dtype)
+    bigger[: len(array)] = array
+    return bigger

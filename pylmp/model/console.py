@@ -1,0 +1,35 @@
+"""Where a run's text goes: the screen (standard output) and the log file."""
+
+from __future__ import annotations
+
+from typing import TextIO
+
+
+class Console:
+    """Two streams, either may be absent. Text is passed with its newlines."""
+
+    def __init__(self, screen: TextIO | None = None, log: TextIO | None = None) -> None:
+        self.screen_file = screen
+        self.log_file = log
+        self.warnings = 0
+
+    def both(self, text: str) -> None:
+        self.screen(text)
+        self.log(text)
+
+    def screen(self, text: str) -> None:
+        if self.screen_file is not None:
+            self.screen_file.write(text)
+
+    def log(self, text: str) -> None:
+        if self.log_file is not None:
+            self.log_file.write(text)
+
+    def warning(self, message: str) -> None:
+        self.warnings += 1
+        self.both(f"WARNING: {message}\n")
+
+    def flush(self) -> None:
+        for stream in (self.screen_file, self.log_file):
+            if stream is not None:
+                stream.flush()

@@ -1,0 +1,47 @@
+"""What carries out a run. The door chooses an engine; the run command knows only this protocol."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from pylmp.model.scene import Scene
+    from pylmp.model.simulation import Simulation
+
+
+@dataclass
+class RunPlan:
+    """One segment of a run command.
+
+    steps         how many
+    begin, end    the steps that ramps refer to (start/stop of the command, else this run's)
+    setup         do the set-up (pre yes, or the first run)
+    """
+
+    steps: int
+    begin: int
+    end: int
+    setup: bool = True
+
+
+@dataclass
+class RunReport:
+    """What the log says after a run: seconds by section, neighbor counts."""
+
+    steps: int
+    seconds: float
+    sections: dict[str, float]
+    neighbors: int
+    ghosts: int
+    builds: int
+    dangerous: int
+    interrupted: bool = False
+
+
+class Engine(Protocol):
+    name: str
+
+    def run(self, sim: Simulation, scene: Scene, plan: RunPlan) -> RunReport:
+        """Carry out plan, calling sim.output at the steps that are due."""
+        ...

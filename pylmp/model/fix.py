@@ -1,0 +1,47 @@
+"""What a fix is: a value with hooks, called at fixed places of every step in the order of definition."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+    from pylmp.text.words import Args
+
+# A fix defines only those it wants, each as hook(self, sim). The engine calls them in this order:
+SETUP_HOOKS = ("init", "setup_pre_force", "setup")
+STEP_HOOKS = (
+    "initial_integrate", "post_integrate", "pre_exchange", "post_neighbor", "pre_force",
+    "post_force", "final_integrate", "end_of_step", "post_run",
+)  # fmt: skip
+
+
+class Fix:
+    """Base of every fix style. A style is a subclass in its own file, registered under its name.
+
+    style   the name a script uses
+    every   end_of_step runs on multiples of this step count
+    integrates    it moves atoms (LAMMPS warns when no fix of a run does)
+    changes_box   it changes the box during the run
+    """
+
+    style: ClassVar[str] = ""
+    integrates: ClassVar[bool] = False
+    changes_box: ClassVar[bool] = False
+    every: int = 1
+    internal = False  # made by a style, not by a fix command
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        """args holds the words after the style name; a subclass reads them all."""
+        self.id = identity
+        self.group = group
+        self.bit = bit
+
+    def members(self, sim: Simulation) -> Any:
+        """(n,) bool: the owned atoms of this fix's group."""
+        return (sim.atoms.mask[: sim.atoms.n] & self.bit) != 0
+
+
+def hooks(fixes: list[Fix], name: str) -> list[Any]:
+    """The bound methods called name of those fixes that define it, in order."""
+    return [getattr(fix, name) for fix in fixes if hasattr(fix, name)]

@@ -1,0 +1,138 @@
+"""A simulation: everything a script has said so far, and the atoms."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pylmp.model.atoms import Atoms
+from pylmp.model.box import Box
+from pylmp.model.console import Console
+from pylmp.model.groups import Groups
+from pylmp.model.output import Output
+from pylmp.model.settings import CommSettings, NeighborSettings, SortSettings, SpecialSettings, Tally
+from pylmp.model.units import UNITS, Units
+from pylmp.text.diagnostic import ScriptError
+
+if TYPE_CHECKING:
+    from pylmp.model.compute import Compute
+    from pylmp.model.engine import Engine
+    from pylmp.model.fix import Fix
+
+
+class Simulation:
+    """State of one run of pylmp. Commands change it, engines advance it, tools read it.
+
+    units dimension boundary newton_pair newton_bond atom_style   as the script's commands say
+    box                None until it is created
+    atoms              per-atom arrays
+    atom_types bond_types   counts, fixed by create_box or read_data
+    mass               (atom_types + 1,) float64, index 0 unused, 0.0 where not set
+    bonds              LAMMPS's global bond count (thermo keyword bonds)
+    pair, bond         force fields (model/pair.py, model/bond.py) or None
+    fixes computes     in order of definition
+    regions lattice    by ID; the lattice in force
+    step dt            current step, timestep size
+    tally              energies and virials of the last step that summed them
+    report             RunReport of the last run, None before
+    engine             who carries out runs
+    script             the interpreter that feeds commands (flow control, variables)
+    """
+
+    def __init__(self, console: Console, engine: Engine | None = None) -> None:
+        self.console = console
+        self.engine = engine
+        self.script: Any = None
+        self.strict = False
+        self.clear()
+
+    def clear(self) -> None:
+        """Back to the state before the first command (variables, log and directory stay)."""
+        self.units: Units = UNITS["lj"]
+        self.dimension = 3
+        self.boundary: tuple[tuple[str, str], ...] = (("p", "p"),) * 3
+        self.newton_pair = self.newton_bond = True
+        self.atom_style = "atomic"
+        self.map_style = "yes"
+        self._box: Box | None = None
+        self.atoms = Atoms()
+        self.atom_types = self.bond_types = 0
+        self.extra_bond_per_atom = 0
+        self.mass = np.zeros(1)
+        self.bonds = 0
+        self.pair: Any = None
+        self.bond: Any = None
+        self.special = SpecialSettings()
+        self.extra_special = 0
+        self.neighbor = NeighborSettings(skin=self.units.skin)
+        self.comm = CommSettings()
+        self.sort = SortSettings()
+        self.groups = Groups()
+        self.regions: dict[str, Any] = {}
+        self.lattice: Any = None
+        self.fixes: list[Fix] = []
+        self.computes: dict[str, Compute] = {}
+        self.output = Output()
+        self.step = 0
+        self.dt = self.units.dt
+        self.begin = self.end = 0  # steps that ramps of the current run refer to
+        self.tally = Tally()
+        self.report: Any = None
+        self.lists: Any = None  # the engine's ghosts and neighbor lists of the last run
+        self.ran = False  # a run was set up before
+
+    @property
+    def box(self) -> Box:
+        if self._box is None:
+            raise ScriptError("No simulation box is defined", hint="create_box or read_data comes first")
+        return self._box
+
+    @box.setter
+    def box(self, box: Box) -> None:
+        self._box = box
+
+    @property
+    def has_box(self) -> bool:
+        return self._box is not None
+
+    @property
+    def has_bonds(self) -> bool:
+        """The atom style stores bonds."""
+        return self.atom_style in ("bond", "molecular")
+
+    @property
+    def ghost_velocity(self) -> bool:
+        return self.comm.velocity
+
+    @property
+    def neighbor_cutoff(self) -> float:
+        """Largest pair cutoff plus skin; 0.0 without a pair style."""
+        largest = float(self.pair.cut.max()) if self.pair else 0.0
+        return largest + self.neighbor.skin if largest > 0.0 else 0.0
+
+    def masses(self) -> Any:
+        """(n,) mass of each owned atom."""
+        return self.mass[self.atoms.type[: self.atoms.n]]
+
+    def init(self) -> None:
+        """What LAMMPS does before a run and before commands that need a complete system: every part checks itself."""
+        if self.pair:
+            self.pair.init(self)
+        if self.bond:
+            self.bond.init(self)
+        elif self.has_bonds and self.bonds:
+            self.console.warning("Bonds are defined but no bond style is set")
+            if self.special.lj[0] != 1.0 or self.special.coul[0] != 1.0:
+                self.console.warning("Likewise 1-2 special neighbor interactions != 1.0")
+        for kind in range(1, self.atom_types + 1):
+            if self.mass[kind] == 0.0:
+                raise ScriptError(
+                    f"Not all per-type masses are set. Type {kind} is missing.", hint=f"mass {kind} 1.0", manual="mass.html"
+                )
+        for fix in self.fixes:
+            if hasattr(fix, "init"):
+                fix.init(self)
+        for compute in self.computes.values():
+            compute.init(self)
+        self.output.init(self)

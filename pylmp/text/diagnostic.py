@@ -1,0 +1,70 @@
+"""What is wrong, where, and what to type instead: one value, one exception, one renderer.
+
+Every complaint of the project is a `Diagnostic`. Code that finds something wrong raises
+`ScriptError`; the door (cli) renders what reaches it, so no traceback reaches a user.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from pylmp.text.span import Span
+
+MANUAL = "https://docs.lammps.org/"
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One complaint.
+
+    message   LAMMPS's own sentence where it has one, without the leading "ERROR: "
+    span      where it stands; None until the interpreter knows
+    hint      what to type instead
+    code      the rule: "E..." errors, "D..." departures from LAMMPS, "B..." restrictions of a bond style
+    manual    page under docs.lammps.org, e.g. "bond_quartic.html"
+    severity  "error", "warning" or "note"
+    """
+
+    message: str
+    span: Span | None = None
+    hint: str = ""
+    code: str = ""
+    manual: str = ""
+    severity: str = "error"
+
+
+class ScriptError(Exception):
+    """The script (or a file it reads) is wrong. Carries a `Diagnostic`; ends the run with exit code 1."""
+
+    def __init__(
+        self, message: str, span: Span | None = None, *, hint: str = "", code: str = "", manual: str = ""
+    ) -> None:
+        super().__init__(message)
+        self.diagnostic = Diagnostic(message, span, hint, code, manual)
+
+
+class Unsupported(ScriptError):
+    """LAMMPS knows this, pylmp's native engines do not. Exit code 5."""
+
+
+def render(diagnostic: Diagnostic, source: Callable[[Span], str] | None = None) -> str:
+    """The text a person reads: sentence, place, the line with a caret, hint, link.
+
+    source  gives the physical line a span stands on; without it the line and caret are left out.
+    """
+    word = {"error": "ERROR", "warning": "WARNING", "note": "NOTE"}[diagnostic.severity]
+    lines = [f"{word}: {diagnostic.message}"]
+    span = diagnostic.span
+    if span is not None:
+        lines.append(f"  --> {span}" + (f"  [{diagnostic.code}]" if diagnostic.code else ""))
+        text = source(span) if source else ""
+        if text:
+            text = text.rstrip("\n")
+            before = "".join("\t" if c == "\t" else " " for c in text[: span.column - 1])
+            lines += [f"   | {text}", f"   | {before}{'^' * max(1, span.length)}"]
+    if diagnostic.hint:
+        lines.append(f"  hint: {diagnostic.hint}")
+    if diagnostic.manual:
+        lines.append(f"  manual: {MANUAL}{diagnostic.manual}")
+    return "\n".join(lines)
