@@ -1,0 +1,92 @@
+"""Reading what a run left: thermo tables and commands' answers in a log, frames in a dump, words in any other file."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+CLOCKS = {"CPU", "T/CPU", "S/CPU", "CPULeft", "TimeoutLeft", "Part"}  # they measure the machine
+_ANSWERS = re.compile(
+    r"^\s*(\d+ total (bonds|angles)|Added \d+ bonds|Deleted \d+|\d+ = max # of|special bond factors|Created \d+ atoms"
+    r"|\d+ atoms in group|\d+ settings made|Total # of neighbors|Ave (special )?neighs/atom|Neighbor list builds"
+    r"|Dangerous builds|Nlocal:|Nghost:|Neighs:|WARNING: (?!.*deprecated))"
+)
+_CELL = re.compile(r"(\S+)\s+=\s+(\S+)")
+
+
+@dataclass
+class Table:
+    """One thermo table: column names and rows of numbers, cells kept as printed."""
+
+    columns: list[str]
+    rows: list[list[str]]
+
+
+def tables(log: str) -> list[Table]:
+    """Every thermo table of a log, styles one and custom, multi, and yaml."""
+    found: list[Table] = []
+    reading = False
+    for line in log.splitlines():
+        words = line.split()
+        if words[:1] == ["Step"] and "=" not in words:
+            found.append(Table(words, []))
+            reading = True
+        elif line.startswith("keywords: ["):
+            found.append(Table([w.strip(" '") for w in line[11:].rstrip("], ").split(",")], []))
+            reading = True
+        elif line.startswith("------------ Step"):
+            if not (reading and found and found[-1].columns[:1] == ["Step*"]):
+                found.append(Table(["Step*"], []))
+            found[-1].rows.append([words[2]])
+            reading = True
+        elif line.startswith("Loop time"):
+            reading = False
+        elif reading and line.startswith("  - ["):
+            found[-1].rows.append([w.strip() for w in line[5:].rstrip("], ").split(",")])
+        elif reading and found[-1].columns[0] == "Step*":
+            cells = _CELL.findall(line)
+            if len(found[-1].rows) == 1:
+                found[-1].columns += [name for name, _ in cells]
+            found[-1].rows[-1] += [value for _, value in cells]
+        elif reading and len(words) == len(found[-1].columns) and _is_number(words[0]):
+            found[-1].rows.append(words)
+    return found
+
+
+def answers(log: str) -> list[str]:
+    """The lines in which commands tell what they did, without LAMMPS's notes of its own source lines."""
+    lines = (re.sub(r" \(src/.*\)$", "", line).strip() for line in log.splitlines() if _ANSWERS.match(line))
+    return [line for line in lines if line]
+
+
+@dataclass
+class Frame:
+    """One dump frame: its header lines, and its rows as printed."""
+
+    step: str
+    header: list[str]
+    columns: list[str]
+    rows: list[list[str]]
+
+
+def dump_frames(path: Path) -> list[Frame]:
+    """Frames of a text dump; a dump without headers is one frame."""
+    text = path.read_text()
+    if "ITEM: TIMESTEP" not in text:
+        return [Frame("", [], [], [line.split() for line in text.splitlines()])]
+    result = []
+    for piece in text.split("ITEM: TIMESTEP\n")[1:]:
+        lines = piece.splitlines()
+        start = max(k for k, line in enumerate(lines) if line.startswith("ITEM: "))
+        rows = [line.split() for line in lines[start + 1 :]]
+        result.append(Frame(lines[0], lines[1 : start + 1], lines[start].split()[2:], rows))
+    return result
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
