@@ -1,0 +1,90 @@
+"""Placing machine code in memory: a small loader for x86-64 Linux objects, LLVM's linker for all else."""
+
+from __future__ import annotations
+
+import ctypes
+import mmap
+import os
+import struct
+from typing import Any
+
+_PROGRAM_BITS, _RELOCATIONS_WITH_ADDEND, _SYMBOLS, _IN_MEMORY = 1, 4, 2, 2
+_ABSOLUTE, _RELATIVE = 1, (2, 4)  # R_X86_64_64; R_X86_64_PC32 and PLT32
+_READ_EXECUTE = 5
+
+
+def place(code: bytes) -> tuple[Any, int]:
+    """(owner, address) of the kernel in an object. The address is good as long as the owner lives."""
+    try:
+        return _load_elf(code)
+    except (ValueError, OSError, struct.error, StopIteration):
+        return _load_llvm(code)
+
+
+def _load_elf(code: bytes) -> tuple[Any, int]:
+    """Writable while relocated, then executable."""
+    if code[:6] != b"\x7fELF\x02\x01" or code[18:20] != b"\x3e\0" or os.name != "posix":
+        raise ValueError("not a 64-bit x86 object")
+    (table_at,) = struct.unpack_from("<Q", code, 40)
+    (count,) = struct.unpack_from("<H", code, 60)
+    sections = [struct.unpack_from("<IIQQQQIIQQ", code, table_at + 64 * k) for k in range(count)]
+    offsets, size = {}, 0
+    for k, (_, kind, flags, _, _, length, _, _, align, _) in enumerate(sections):
+        if flags & _IN_MEMORY and kind == _PROGRAM_BITS and length:
+            step = max(align, 64)
+            size = -(-size // step) * step
+            offsets[k] = size
+            size += length
+    memory = mmap.mmap(-1, size)
+    start = ctypes.addressof(ctypes.c_char.from_buffer(memory))
+    for k, offset in offsets.items():
+        memory[offset : offset + sections[k][5]] = code[sections[k][4] : sections[k][4] + sections[k][5]]
+    symbols, entry = _symbols(code, sections, offsets)
+    for section in sections:
+        if section[1] == _RELOCATIONS_WITH_ADDEND and section[7] in offsets:
+            _relocate(memory, start, code, section, offsets[section[7]], symbols)
+    pages = -(-size // mmap.PAGESIZE) * mmap.PAGESIZE
+    if ctypes.CDLL(None).mprotect(ctypes.c_void_p(start), ctypes.c_size_t(pages), _READ_EXECUTE):
+        raise OSError("executable memory is not allowed here")
+    return memory, start + entry
+
+
+def _symbols(code: bytes, sections: list[Any], offsets: dict[int, int]) -> tuple[list[int | None], int]:
+    table = next(s for s in sections if s[1] == _SYMBOLS)
+    names = sections[table[6]][4]
+    values: list[int | None] = []
+    entry = None
+    for k in range(table[5] // 24):
+        name, _, _, section, value, _ = struct.unpack_from("<IBBHQQ", code, table[4] + 24 * k)
+        values.append(offsets[section] + value if section in offsets else None)
+        if code[names + name : names + name + 7] == b"kernel\0":
+            entry = values[-1]
+    if entry is None:
+        raise ValueError("no kernel in the object")
+    return values, entry
+
+
+def _relocate(
+    memory: mmap.mmap, start: int, code: bytes, section: Any, base: int, symbols: list[int | None]
+) -> None:
+    for k in range(section[5] // 24):
+        where, info, addend = struct.unpack_from("<QQq", code, section[4] + 24 * k)
+        kind, value = info & 0xFFFFFFFF, symbols[info >> 32]
+        where += base
+        if value is None or kind not in (_ABSOLUTE, *_RELATIVE):
+            raise ValueError("a relocation this loader does not know")
+        if kind == _ABSOLUTE:
+            struct.pack_into("<Q", memory, where, start + value + addend)
+        else:
+            struct.pack_into("<i", memory, where, value + addend - where)
+
+
+def _load_llvm(code: bytes) -> tuple[Any, int]:
+    import llvmlite.binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    machine = llvm.Target.from_triple(llvm.get_process_triple()).create_target_machine(jit=True)
+    jit = llvm.create_lljit_compiler(machine)
+    linked = llvm.JITLibraryBuilder().add_object_img(code).export_symbol("kernel").link(jit, "kernel")
+    return (jit, linked), linked["kernel"]
