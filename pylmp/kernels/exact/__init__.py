@@ -1,0 +1,35 @@
+"""The exact engine's loops: one rank of LAMMPS in its own order of operations.
+
+Plain Python over flat arrays (row k of an (n, 3) array starts at 3*k), composed by closures; compiled by
+``pylmp.kernels.store``. What a scene does not need is a captured False and absent from the machine code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+SPECIAL_SHIFT = 30  # a neighbor entry carries its special kind (0 none, 1..3: 1-2, 1-3, 1-4) above the index
+INDEX_MASK = (1 << SPECIAL_SHIFT) - 1
+
+
+def row(count: int) -> Callable[[Any, int], tuple[float, ...]]:
+    """A function that reads count consecutive numbers of an array as a tuple."""
+    if count == 0:
+
+        def nothing(table, at):  # type: ignore[no-untyped-def]
+            return ()
+
+        return nothing
+    if count == 1:
+
+        def one(table, at):  # type: ignore[no-untyped-def]
+            return (table[at],)
+
+        return one
+    rest, last = row(count - 1), count - 1
+
+    def several(table, at):  # type: ignore[no-untyped-def]
+        return rest(table, at) + (table[at + last],)
+
+    return several

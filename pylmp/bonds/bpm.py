@@ -1,0 +1,99 @@
+"""What all bpm bond styles share: their keywords and their restrictions.
+
+Source: LAMMPS manual, bond_bpm_spring.html; sentences and the order of checks as measured on LAMMPS 22 Jul 2025, which
+checks less than the manual says (docs/departures.md).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pylmp.model.style import Options, Restriction
+from pylmp.text.words import Args
+
+ATTRIBUTES = ("id1", "id2", "time", "x", "y", "z", "x/ref", "y/ref", "z/ref")
+ONES = (1.0, 1.0, 1.0)
+
+
+def parse(sim: Any, args: Args) -> Options:
+    """store/local ID N attributes, overlay/pair, smooth, normalize, break: in any order."""
+    options: Options = {"overlay/pair": False, "smooth": True, "normalize": False, "break": True, "store/local": None}
+    keywords = {}
+    first = args.peek()
+    if first is not None and first.text not in options and len(args) > 2 and args.words[args.at + 2].text in ATTRIBUTES:
+        if sim.strict:
+            args.fail(f"Illegal bond bpm command, invalid argument {first.text}", first, hint="store/local before the fix ID")
+        sim.console.warning(
+            f"[D001] the manual's example leaves out the keyword store/local, which LAMMPS 22 Jul 2025 requires: "
+            f"bond_style bpm/spring/plastic store/local {first.text} ..."
+        )
+        options["store/local"] = _store(args, first)
+    # the release reads store/local, overlay/pair and break first, then complains about what is left
+    unknown = None
+    while len(args):
+        word = args.word()
+        keywords[word.text] = word
+        if word.text == "store/local":
+            options["store/local"] = _store(args, word)
+        elif word.text in options:
+            options[word.text] = args.yes()
+        else:
+            unknown = unknown or word
+            break
+    if unknown is not None:
+        hint = "keywords: store/local overlay/pair smooth normalize break"
+        args.fail(f"Illegal bond bpm command, invalid argument {unknown.text}", unknown, hint=hint)
+    if options["smooth"] and not options["break"]:
+        args.fail(
+            "Illegal bond bpm command, must turn off smoothing with break no option", keywords["break"], hint="break no smooth no"
+        )
+    return options
+
+
+def _store(args: Args, keyword: Any) -> tuple[str, int, tuple[str, ...]]:
+    """Fix ID, interval, attributes."""
+    args.need(2)
+    identity, every = args.word(), args.word()
+    steps = args.as_integer(every)
+    if steps <= 0:
+        args.fail("Illegal fix STORE/LOCAL command", every, hint="N is a positive number of steps")
+    attributes = []
+    while (word := args.peek()) is not None and word.text in ATTRIBUTES:
+        attributes.append(args.word().text)
+    if not attributes and (word is None or word.text in ("overlay/pair", "smooth", "normalize", "break")):
+        args.fail("Storing local data must include at least one value to output", keyword, hint=f"one of {' '.join(ATTRIBUTES)}")
+    return identity.text, steps, tuple(attributes)
+
+
+def _overlay(sim: Any, options: Options) -> bool:
+    return bool(options["overlay/pair"]) and (sim.special.lj != ONES or sim.special.coul != ONES)
+
+
+def _pairs_off(options: Options) -> bool:
+    return bool(options["break"]) and not options["overlay/pair"]
+
+
+RESTRICTIONS = (
+    Restriction(
+        "B201", "With overlay/pair yes, BPM bond styles require a value of 1.0 for all special_bonds weights", _overlay,
+        "special_bonds lj/coul 1 1 1",
+    ),
+    Restriction(
+        "B202", "With overlay/pair no and break yes, BPM bond styles require Newton bond off",
+        lambda sim, options: _pairs_off(options) and sim.newton_bond, "newton on off, before the box is created",
+    ),
+    Restriction(
+        "B203", "With overlay/pair no, BPM bond styles require special LJ weights = 0,1,1",
+        lambda sim, options: _pairs_off(options) and sim.special.lj != (0.0, 1.0, 1.0),
+        "special_bonds lj 0 1 1 coul 1 1 1",
+    ),
+    Restriction(
+        "B204", "With overlay/pair no and break yes, BPM bond styles requires special Coulomb weights = 1,1,1",
+        lambda sim, options: _pairs_off(options) and sim.special.coul != ONES,
+        "special_bonds lj 0 1 1 coul 1 1 1 (lj alone sets the Coulomb weights to 0)",
+    ),
+    Restriction(
+        "B206", "Bond bpm/spring requires ghost atoms store velocity", lambda sim, _: not sim.comm.velocity,
+        "comm_modify vel yes",
+    ),
+)  # fmt: skip

@@ -1,0 +1,57 @@
+"""Velocity Verlet of the fix nve, and the random force of fix langevin."""
+
+from __future__ import annotations
+
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.random import mars
+
+
+def kick_and_drift(everyone: bool) -> Function:
+    def first_half(
+        x: "f8*", v: "f8*", f: "f8*", type_: "i8*", mask: "i8*", mass: "f8*", half: "f8", dt: "f8", bit: "i8", n: "i8"
+    ) -> "f8":
+        """v += (half/m) f; x += dt v, with half = dt/2 in force units."""
+        for i in range(n):
+            if everyone or mask[i] & bit != 0:
+                kick = half / mass[type_[i]]
+                for d in range(3):
+                    v[3 * i + d] += kick * f[3 * i + d]
+                    x[3 * i + d] += dt * v[3 * i + d]
+        return 0.0
+
+    return first_half
+
+
+def kick(everyone: bool) -> Function:
+    def second_half(
+        v: "f8*", f: "f8*", type_: "i8*", mask: "i8*", mass: "f8*", half: "f8", bit: "i8", n: "i8"
+    ) -> "f8":
+        for i in range(n):
+            if everyone or mask[i] & bit != 0:
+                kick = half / mass[type_[i]]
+                for d in range(3):
+                    v[3 * i + d] += kick * f[3 * i + d]
+        return 0.0
+
+    return second_half
+
+
+def langevin(everyone: bool) -> Function:
+    def drag_and_noise(
+        v: "f8*", f: "f8*", type_: "i8*", mask: "i8*", drag: "f8*", noise: "f8*", heat: "f8", table: "f8*", state: "f8*",
+        bit: "i8", n: "i8",
+    ) -> "f8":
+        """f += drag*v + noise*heat*(u - 1/2), u uniform, three numbers an atom; heat = sqrt(target temperature)."""
+        for i in range(n):
+            if everyone or mask[i] & bit != 0:
+                g1 = drag[type_[i]]
+                g2 = noise[type_[i]] * heat
+                rx = g2 * (mars(table, state) - 0.5)
+                ry = g2 * (mars(table, state) - 0.5)
+                rz = g2 * (mars(table, state) - 0.5)
+                f[3 * i] += g1 * v[3 * i] + rx
+                f[3 * i + 1] += g1 * v[3 * i + 1] + ry
+                f[3 * i + 2] += g1 * v[3 * i + 2] + rz
+        return 0.0
+
+    return drag_and_noise

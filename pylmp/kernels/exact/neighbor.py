@@ -1,0 +1,161 @@
+"""The neighbor list: which pairs may interact until somebody has moved half the skin.
+
+Atoms are counted into bins; the members of a bin stand in ascending row order. Bins that follow each other in x have
+members that follow each other in memory, so a row of the stencil is one scan. The order of the list is LAMMPS's.
+"""
+
+from __future__ import annotations
+
+from pylmp.kernels.exact import SPECIAL_SHIFT
+from pylmp.kernels.kinds import Function
+
+HALF, HALF_OWNED, FULL = "half", "half, newton off", "full"
+
+
+def bins(dimension: int) -> Function:
+    """Count atoms into bins. grid: nb(3), low(3) (first bin, counted from the box's low face), m(3) (bins a direction)."""
+
+    def place(c: float, lo: float, hi: float, inverse: float, count: int) -> int:
+        if c >= hi:
+            return int((c - hi) * inverse) + count
+        if c >= lo:
+            return min(int((c - lo) * inverse), count - 1)
+        return int((c - lo) * inverse) - 1
+
+    def fill_bins(
+        x: "f8*", lo: "f8*", hi: "f8*", inverse: "f8*", grid: "i8*", bin_of: "i8*", start: "i8*", member: "i8*",
+        at: "i8*", total: "i8",
+    ) -> "f8":
+        """start[b] .. start[b+1]: members of bin b. member[p]: row at place p; at[row]: its place."""
+        nbins = grid[6] * grid[7] * grid[8]
+        for b in range(nbins + 1):
+            start[b] = 0
+        for i in range(total):
+            iz = 1
+            if dimension == 3:
+                iz = place(x[3 * i + 2], lo[2], hi[2], inverse[2], grid[2]) - grid[5]
+            iy = place(x[3 * i + 1], lo[1], hi[1], inverse[1], grid[1]) - grid[4]
+            ix = place(x[3 * i], lo[0], hi[0], inverse[0], grid[0]) - grid[3]
+            if ix < 0 or iy < 0 or iz < 0 or ix >= grid[6] or iy >= grid[7] or iz >= grid[8]:
+                return -1.0 - i
+            b = (iz * grid[7] + iy) * grid[6] + ix
+            bin_of[i] = b
+            start[b + 1] += 1
+        for b in range(nbins):
+            start[b + 1] += start[b]
+        for i in range(total - 1, -1, -1):  # from the back: start[b + 1] walks down to the first place of bin b
+            b = bin_of[i] + 1
+            start[b] -= 1
+            at[i] = start[b]
+            member[start[b]] = i
+        for b in range(nbins):
+            start[b] = start[b + 1]
+        start[nbins] = total
+        return 0.0
+
+    return fill_bins
+
+
+def listing(mode: str, one_type: bool, weighted: bool, periodic: tuple[bool, bool, bool]) -> Function:
+    """Compose the list kernel.
+
+    mode      HALF: each pair once, own bin first, then the upper half of the stencil;
+              HALF_OWNED: newton pair off, each pair of owned atoms once and every owned-ghost pair; FULL: both directions
+    one_type  one cutoff for all pairs
+    weighted  some bonded neighbors are scaled or left out
+    """
+    half, owned, full = mode == HALF, mode == HALF_OWNED, mode == FULL
+    px, py, pz = periodic
+
+    def kind_of(tag: int, num: "i8*", special: "i8*", i: int, wide: int) -> int:
+        for q in range(num[3 * i + 2]):
+            if special[i * wide + q] == tag:
+                if q < num[3 * i]:
+                    return 1
+                return 2 if q < num[3 * i + 1] else 3
+        return 0
+
+    def list_neighbors(
+        x: "f8*", type_: "i8*", tag: "i8*", bin_of: "i8*", start: "i8*", member: "i8*", at: "i8*", place: "f8*",
+        rows: "i8*", cut2: "f8*", types: "i8", num: "i8*", special: "i8*", wide: "i8", policy: "i8*", halves: "f8*",
+        first: "i8*", neighbors: "i4*", n: "i8", total: "i8", capacity: "i8",
+    ) -> "f8":
+        """rows[0]: stencil rows, then (first bin, last bin) of each, relative to an atom's bin. Returns entries, -1: no room."""
+        for p in range(total):
+            m = member[p]
+            place[3 * p] = x[3 * m]
+            place[3 * p + 1] = x[3 * m + 1]
+            place[3 * p + 2] = x[3 * m + 2]
+        count = 0
+        single = cut2[types + 1]
+        for i in range(n):
+            first[i] = count
+            xi = x[3 * i]
+            yi = x[3 * i + 1]
+            zi = x[3 * i + 2]
+            own = bin_of[i]
+            ti = type_[i] * types
+            for r in range(-1 if half else 0, rows[0]):
+                if half and r < 0:
+                    begin = at[i] + 1
+                    end = start[own + 1]
+                else:
+                    begin = start[own + rows[1 + 2 * r]]
+                    end = start[own + rows[2 + 2 * r] + 1]
+                if count + end - begin > capacity:
+                    return -1.0
+                for p in range(begin, end):
+                    dx = xi - place[3 * p]
+                    dy = yi - place[3 * p + 1]
+                    dz = zi - place[3 * p + 2]
+                    r2 = dx * dx + dy * dy + dz * dz
+                    j = member[p]
+                    if one_type:
+                        take = r2 <= single
+                    else:
+                        take = r2 <= cut2[ti + type_[j]]
+                    if owned:
+                        take = take and j > i
+                    elif full:
+                        take = take and j != i
+                    if half and r < 0 and take and j >= n:
+                        # a ghost in the own bin: the pair belongs to the lower one of the two in z, then y, then x
+                        if dz > 0.0 or (dz == 0.0 and (dy > 0.0 or (dy == 0.0 and dx > 0.0))):
+                            take = False
+                    if weighted:
+                        if take:
+                            entry = j
+                            kind = kind_of(tag[j], num, special, i, wide)
+                            if kind > 0 and policy[kind] != 1:
+                                far = (
+                                    (px and abs(dx) > halves[0])
+                                    or (py and abs(dy) > halves[1])
+                                    or (pz and abs(dz) > halves[2])
+                                )
+                                if not far:
+                                    if policy[kind] == 0:
+                                        continue
+                                    entry = j | (kind << SPECIAL_SHIFT)
+                            neighbors[count] = entry
+                            count += 1
+                    else:
+                        neighbors[count] = j
+                        count += 1 if take else 0
+        first[n] = count
+        return float(count)
+
+    return list_neighbors
+
+
+def moved() -> Function:
+    def anybody_moved(x: "f8*", held: "f8*", limit2: "f8", n: "i8") -> "f8":
+        """1.0 if an atom is farther than sqrt(limit2) from where the list was built."""
+        for i in range(n):
+            dx = x[3 * i] - held[3 * i]
+            dy = x[3 * i + 1] - held[3 * i + 1]
+            dz = x[3 * i + 2] - held[3 * i + 2]
+            if dx * dx + dy * dy + dz * dz > limit2:
+                return 1.0
+        return 0.0
+
+    return anybody_moved

@@ -1,0 +1,136 @@
+"""LAMMPS's two random number generators.
+
+RanPark: Park and Miller's minimal standard, by Schrage's method. RanMars: Marsaglia, Zaman and Tsang's lagged Fibonacci
+generator. The same seeds give the same numbers, to the last bit.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pylmp.text.diagnostic import ScriptError
+
+_MODULUS, _FACTOR, _QUOTIENT, _REMAINDER = 2147483647, 16807, 127773, 2836
+_SCALE = 1.0 / _MODULUS
+_32BITS = 0xFFFFFFFF
+
+
+def mars(table: Any, state: Any) -> float:
+    """The next uniform number of a RanMars: table (98,), state (5,) = c, cd, cm and the two lags. Also runs compiled."""
+    k = int(state[3])
+    m = int(state[4])
+    u = table[k] - table[m]
+    if u < 0.0:
+        u += 1.0
+    table[k] = u
+    state[3] = 97.0 if k == 1 else k - 1.0
+    state[4] = 97.0 if m == 1 else m - 1.0
+    state[0] -= state[1]
+    if state[0] < 0.0:
+        state[0] += state[2]
+    u -= state[0]
+    if u < 0.0:
+        u += 1.0
+    return u
+
+
+class RanMars:
+    """table and state are plain arrays, so that a kernel may draw from them. Seeds 1 to 900000000, else ValueError."""
+
+    def __init__(self, seed: int) -> None:
+        if not 0 < seed <= 900000000:
+            raise ValueError("Invalid seed for Marsaglia random # generator")
+        ij, kl = divmod(seed - 1, 30082)
+        i, j = (ij // 177) % 177 + 2, ij % 177 + 2
+        k, m = (kl // 169) % 178 + 1, kl % 169
+        self.table = np.zeros(98)
+        for entry in range(1, 98):
+            total, bit = 0.0, 0.5
+            for _ in range(24):
+                i, j, k = j, k, ((i * j) % 179) * k % 179
+                m = (53 * m + 1) % 169
+                if (m * k) % 64 >= 32:
+                    total += bit
+                bit *= 0.5
+            self.table[entry] = total
+        self.state = np.array([362436.0 / 2**24, 7654321.0 / 2**24, 16777213.0 / 2**24, 97.0, 33.0])
+        self.uniform()
+
+    def uniform(self) -> float:
+        return float(mars(self.table, self.state))
+
+
+class RanPark:
+    """uniform numbers in (0, 1) and gaussian ones by the polar method."""
+
+    def __init__(self, seed: int) -> None:
+        self.seed = seed
+        self._spare: float | None = None
+
+    def uniform(self) -> float:
+        k = self.seed // _QUOTIENT
+        self.seed = _FACTOR * (self.seed - k * _QUOTIENT) - _REMAINDER * k
+        if self.seed < 0:
+            self.seed += _MODULUS
+        return _SCALE * self.seed
+
+    def gaussian(self) -> float:
+        if self._spare is not None:
+            spare, self._spare = self._spare, None
+            return spare
+        while True:
+            a, b = 2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0
+            r2 = a * a + b * b
+            if 0.0 < r2 < 1.0:
+                break
+        factor = math.sqrt(-2.0 * math.log(r2) / r2)
+        self._spare = a * factor
+        return b * factor
+
+    def skip(self, count: int) -> None:
+        for _ in range(count):
+            self.uniform()
+
+    def reset(self, seed: int, x: NDArray[np.float64]) -> None:
+        """Start anew from a seed and a position (3,): Jenkins's one-at-a-time hash of their bytes, as signed characters."""
+        h = 0
+        for byte in np.int32(seed).tobytes() + np.asarray(x, float).tobytes():
+            h = (h + (byte - 256 if byte > 127 else byte)) & _32BITS
+            h = (h + (h << 10)) & _32BITS
+            h ^= h >> 6
+        h = (h + (h << 3)) & _32BITS
+        h ^= h >> 11
+        h = (h + (h << 15)) & _32BITS
+        self.seed = h & 0x7FFFFFF or 1
+        self.skip(5)
+        self._spare = None
+
+
+def park_at(seed: int, x: NDArray[np.float64], draws: int) -> NDArray[np.float64]:
+    """(n, draws) uniform numbers, row k what a RanPark reset at position x[k] draws; many atoms at once."""
+    words = np.empty((len(x), 28), np.uint8)
+    words[:, :4] = np.frombuffer(np.int32(seed).tobytes(), np.uint8)
+    words[:, 4:] = np.ascontiguousarray(x, float).view(np.uint8).reshape(len(x), 24)
+    signed = words.view(np.int8).astype(np.int64)
+    h = np.zeros(len(x), np.int64)
+    for column in range(28):
+        h = (h + signed[:, column]) & _32BITS
+        h = (h + (h << 10)) & _32BITS
+        h ^= h >> 6
+    h = (h + (h << 3)) & _32BITS
+    h ^= h >> 11
+    h = (h + (h << 15)) & _32BITS
+    state = h & 0x7FFFFFF
+    state[state == 0] = 1
+    result = np.empty((len(x), draws))
+    for draw in range(-5, draws):
+        k = state // _QUOTIENT
+        state = _FACTOR * (state - k * _QUOTIENT) - _REMAINDER * k
+        state[state < 0] += _MODULUS
+        if draw >= 0:
+            result[:, draw] = _SCALE * state
+    return result

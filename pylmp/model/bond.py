@@ -1,0 +1,156 @@
+"""The bond force field of a simulation: one style, or several side by side under bond_style hybrid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pylmp.model.atoms import Floats, Ints
+from pylmp.model.style import BondStyle, Options
+from pylmp.text.diagnostic import ScriptError
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+    from pylmp.text.words import Args
+
+
+class BondPart:
+    """One style at work.
+
+    table (nbt+1, width): coefficients by bond type. mine (nbt+1,) uint8: types of this style.
+    recorder: the fix that keeps records of broken bonds, or None.
+    """
+
+    def __init__(self, style: BondStyle, options: Options, types: int) -> None:
+        self.style = style
+        self.options = options
+        self.table = np.zeros((types + 1, len(style.coeffs)))
+        self.mine = np.zeros(types + 1, np.uint8)
+        self.law = style.law(options)
+        self.can_break = style.can_break(options)
+        self.updates_special = style.updates_special(options)
+        self.recorder: Any = None
+        self.stored = not style.reference  # r0 of every bond is known
+        self.longest_reference = 0.0  # largest r0 seen at the first init, for the communication cutoff
+        self.stretch = 1.0
+
+    @property
+    def memory(self) -> int:
+        return len(self.style.history)
+
+    def set(self, types: range, values: tuple[float, ...]) -> None:
+        for kind in types:
+            self.table[kind] = values
+            self.mine[kind] = 1
+
+    def evaluate(self, kinds: Ints, r2: Floats, dot: Floats, history: Floats) -> tuple[Floats, Floats]:
+        """Force over r and energy of many bonds by the law itself. history: (bonds, memory)."""
+        force, energy = np.zeros(len(r2)), np.zeros(len(r2))
+        columns = tuple(self.table[kinds].T)
+        with np.errstate(all="ignore"):
+            result = self.law(r2, dot, tuple(history.T), columns)
+        force[:], energy[:] = result[0], result[1]
+        return force, energy
+
+
+class Bond:
+    """name: the style, or "hybrid". parts: the styles at work, one unless hybrid."""
+
+    def __init__(self, name: str, parts: list[BondPart], types: int) -> None:
+        self.name = name
+        self.parts = parts
+        self.types = types
+
+    @property
+    def memory(self) -> int:
+        """Numbers a bond slot remembers: the most any part wants."""
+        return max((part.memory for part in self.parts), default=0)
+
+    def coeff(self, args: Args) -> None:
+        """bond_coeff: a type range, under hybrid the style's name, then its coefficients."""
+        kinds = args.types(self.types)
+        part = self.parts[0]
+        if self.name == "hybrid":
+            word = args.word()
+            named = {p.style.name: p for p in self.parts}
+            if word.text == "none":
+                for kind in kinds:
+                    for other in self.parts:
+                        other.mine[kind] = 0
+                return
+            if word.text not in named:
+                args.fail(f"Expected hybrid sub-style instead of {word.text} in bond_coeff command", word)
+            part = named[word.text]
+            for other in self.parts:
+                other.mine[kinds.start : kinds.stop] = 0
+        wanted, given = len(part.style.coeffs), len(args)
+        if not wanted - part.style.optional_coeffs <= given <= wanted:
+            at = args.words[args.at + wanted] if given > wanted else args.words[-1]
+            names = " ".join(c.name for c in part.style.coeffs)
+            args.fail("Incorrect args for bond coefficients", at, hint=f"bond_coeff TYPE {names}")
+        values = [args.number() for _ in range(given)] + [0.0] * (wanted - given)
+        part.set(kinds, tuple(values))
+        if part.style.reference:
+            part.stretch = max(part.stretch, 1.0 + values[1])
+
+    def init(self, sim: Simulation) -> None:
+        """Check coefficients and every restriction, in LAMMPS's order."""
+        covered = np.zeros(self.types + 1, bool)
+        for part in self.parts:
+            covered |= part.mine.astype(bool)
+        if not covered[1:].all():
+            status = "".join(
+                f"\n{kind:6d}: is {'set' if covered[kind] else 'not set'}" for kind in range(1, self.types + 1)
+            )
+            raise ScriptError(
+                f"All bond coeffs are not set. Status:{status}", hint="bond_coeff * ... sets all", manual="bond_coeff.html"
+            )
+        for part in self.parts:
+            for restriction in part.style.restrictions:
+                if restriction.broken(sim, part.options):
+                    raise ScriptError(
+                        restriction.says.format(**part.options), hint=restriction.hint, code=restriction.code,
+                        manual=part.style.manual,
+                    )  # fmt: skip
+            if part.style.reference and part.longest_reference == 0.0:
+                part.longest_reference = longest_bond(sim)
+
+    def reach(self) -> float:
+        """LAMMPS's estimate of the longest bond, before the skin: 1.5 times the equilibrium length."""
+        longest = 0.0
+        for part in self.parts:
+            if part.style.reference:
+                stretch = part.stretch / 1.5 if part.can_break else 1.0
+                longest = max(longest, part.longest_reference * stretch)
+            else:
+                for kind in np.flatnonzero(part.mine):
+                    longest = max(longest, part.style.length(tuple(part.table[kind]), part.options))
+        return longest * 1.5
+
+
+def bond_pairs(sim: Simulation, wanted: Callable[[Ints], Any]) -> tuple[Ints, Ints, Ints]:
+    """(rows, slots, partner rows) of owned atoms' bonds whose type satisfies wanted, in row and slot order; partner -1: unknown."""
+    atoms = sim.atoms
+    if atoms.n == 0 or atoms.bond_per_atom == 0:
+        return (np.zeros(0, np.int64),) * 3
+    slots = np.arange(atoms.bond_per_atom)
+    used = (slots[None, :] < atoms.num_bond[: atoms.n, None]) & wanted(atoms.bond_type[: atoms.n])
+    rows, cols = np.nonzero(used)
+    by_tag = atoms.rows_by_tag()
+    partner = atoms.bond_atom[rows, cols]
+    known = partner < len(by_tag)
+    found = np.where(known, by_tag[np.where(known, partner, 0)], -1)
+    return rows, cols, found
+
+
+def longest_bond(sim: Simulation) -> float:
+    """The longest bond by minimum image."""
+    rows, _, partners = bond_pairs(sim, lambda kinds: kinds > 0)
+    keep = partners >= 0
+    if not keep.any():
+        return 0.0
+    x = sim.atoms.x
+    d = sim.box.minimum_image(x[rows[keep]] - x[partners[keep]])
+    return float(np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]).max())

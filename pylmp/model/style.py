@@ -1,0 +1,119 @@
+"""What a bond or pair style is: a value. One file holds its formula, coefficients, keywords, restrictions and law."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+    from pylmp.text.words import Args
+
+Options = dict[str, Any]
+Law = Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Coeff:
+    """One coefficient of bond_coeff or pair_coeff: its name in the formula, its unit in LAMMPS's wording."""
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class Restriction:
+    """One documented restriction: a stable code, LAMMPS's own sentence, the test that finds it broken, what to type."""
+
+    code: str
+    says: str
+    broken: Callable[[Simulation, Options], bool]
+    hint: str
+
+
+def no_options(sim: Simulation, args: Args) -> Options:
+    """A style without keywords."""
+    if len(args):
+        args.illegal(args.peek())
+    return {}
+
+
+def always(value: Any) -> Callable[[Options], Any]:
+    return lambda options: value
+
+
+@dataclass(frozen=True)
+class BondStyle:
+    """A bond style.
+
+    law            options -> law(r2, dot, h, c) -> (force over r, energy, h, alive). r2: squared length; dot: separation times
+                   velocity difference; h: what the bond remembers; c: its coefficients
+    parse          reads the words after the style name
+    history        names of what a bond remembers
+    reference      history[0] is the length at the first evaluation (r0)
+    velocity       the law needs dot
+    can_break      options -> may the law say that a bond is not alive
+    on_break       "zero": the slot keeps the bond as type 0; "remove": the slot goes, the bond count falls
+    breaks_in_setup     a bond may break before the first step
+    lower_id_first      atom 1 of a bond is the lower ID
+    subtract_pair       the pair interaction of bonded atoms is taken out again
+    updates_special     options -> broken pairs become ordinary neighbors
+    length         (coefficients, options) -> length for LAMMPS's estimate of the communication cutoff
+    mixable        may stand beside other such styles in bond_style hybrid
+    writes         write_data prints its coefficients
+    omp            the manual lists an /omp name: the same law
+    release        its name in the LAMMPS release, "" if it has none
+    """
+
+    name: str
+    manual: str
+    coeffs: tuple[Coeff, ...]
+    law: Callable[[Options], Law]
+    parse: Callable[[Simulation, Args], Options] = no_options
+    restrictions: tuple[Restriction, ...] = ()
+    history: tuple[str, ...] = ()
+    reference: bool = False
+    velocity: bool = False
+    can_break: Callable[[Options], bool] = always(False)
+    on_break: str = ""
+    breaks_in_setup: bool = False
+    lower_id_first: bool = False
+    subtract_pair: bool = False
+    updates_special: Callable[[Options], bool] = always(False)
+    length: Callable[[tuple[float, ...], Options], float] = lambda coeffs, options: 0.0
+    mixable: bool = False
+    writes: bool = True
+    omp: bool = False
+    release: str = ""
+    optional_coeffs: int = 0
+
+
+@dataclass(frozen=True)
+class PairStyle:
+    """A pair style.
+
+    law        options -> law(r2, dot, factor, c) -> (force over r, energy), zero beyond the cutoff; None computes nothing
+    settings   reads pair_style's words; options["cut"] is the global cutoff
+    read       reads pair_coeff's words -> (coefficients, cutoff)
+    mix        (coefficients, cutoff of type i, of type j, mixing rule) -> those of the unlike pair; None: not defined
+    row        (coefficients, cutoff, shift) -> the numbers the law receives
+    tail       (coefficients, cutoff) -> (energy, pressure) integrals per pair of atoms, or None
+    single     LAMMPS can evaluate one pair alone (bond_style quartic needs that)
+    """
+
+    name: str
+    manual: str
+    coeffs: tuple[Coeff, ...]
+    law: Callable[[Options], Law] | None
+    settings: Callable[[Simulation, Args], Options]
+    read: Callable[[Args, Options], tuple[tuple[float, ...], float]]
+    row: Callable[[tuple[float, ...], float, bool], tuple[float, ...]]
+    mix: Callable[..., tuple[tuple[float, ...], float]] | None = None
+    velocity: bool = False
+    restrictions: tuple[Restriction, ...] = ()
+    tail: Callable[[tuple[float, ...], float], tuple[float, float]] | None = None
+    single: bool = True
+    write: Callable[[tuple[float, ...], float, bool], list[float]] = field(
+        default=lambda coeffs, cut, whole: [*coeffs, cut] if whole else list(coeffs)
+    )

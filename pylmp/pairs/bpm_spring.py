@@ -1,0 +1,89 @@
+"""pair_style bpm/spring: a repulsive spring with damping, F = k (rc - r) - gamma w (rhat . v), w = 1 - (r/rc)^8, r < rc.
+
+With the keyword anharmonic yes a cubic term ka (rc - r)^3 is added. Source: LAMMPS manual, pair_bpm_spring.html.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pylmp.laws import select, sqrt
+from pylmp.model.pair import mix_distance
+from pylmp.model.registry import PAIRS
+from pylmp.model.style import Coeff, Law, Options, PairStyle, Restriction
+from pylmp.text.words import Args
+
+
+def spring(options: Options) -> Law:
+    anharmonic = bool(options["anharmonic"])
+
+    def law(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
+        """c = k, gamma, ka, rc, rc^2."""
+        k, gamma, ka, cut, cut2 = c
+        r = sqrt(r2)
+        ri = 1.0 / r
+        gap = cut - r
+        force = k * gap
+        energy = 0.5 * force * gap
+        if anharmonic:
+            force = force + ka * gap * gap * gap
+            energy = energy + 0.25 * ka * gap * gap * gap * gap
+        energy = energy * factor
+        s = r2 / cut2
+        s = s * s
+        s = s * s
+        force = force - gamma * dot * (1.0 - s) * ri
+        force = force * (factor * ri)
+        inside = r2 < cut2
+        return select(inside, force, 0.0), select(inside, energy, 0.0)
+
+    return law
+
+
+def settings(sim: Any, args: Args) -> Options:
+    options = {"anharmonic": False, "cut": 0.0}
+    while len(args):
+        word = args.word()
+        if word.text != "anharmonic":
+            args.fail(f"Illegal pair_style command {word.text}", word, hint="the one keyword is anharmonic yes|no")
+        options["anharmonic"] = args.yes()
+    return options
+
+
+def read(args: Args, options: Options) -> tuple[tuple[float, ...], float]:
+    wanted = 4 if options["anharmonic"] else 3
+    if len(args) != wanted:
+        names = "k rc gamma" + (" ka" if wanted == 4 else "")
+        args.fail("Incorrect args for pair coefficients", args.words[-1], hint=f"pair_coeff I J {names}")
+    k, cut, gamma = args.number(), args.number(), args.number()
+    return (k, gamma, args.number() if len(args) else 0.0), cut
+
+
+def row(coeffs: tuple[float, ...], cut: float, shift: bool) -> tuple[float, ...]:
+    return (*coeffs, cut, cut * cut)
+
+
+def mix(a: Any, cut_a: float, b: Any, cut_b: float, rule: str) -> tuple[tuple[float, ...], float]:
+    return tuple(mix_distance(p, q, rule) for p, q in zip(a, b, strict=True)), mix_distance(cut_a, cut_b, rule)
+
+
+def write(coeffs: tuple[float, ...], cut: float, whole: bool) -> list[float]:
+    return [coeffs[0], cut, coeffs[1]]
+
+
+PAIRS.add(
+    "bpm/spring",
+    PairStyle(
+        name="bpm/spring", manual="pair_bpm_spring.html",
+        coeffs=(
+            Coeff("k", "force/distance"), Coeff("gamma", "force/velocity"), Coeff("ka", "force/distance^3"),
+        ),
+        law=spring, settings=settings, read=read, row=row, mix=mix, velocity=True, write=write,
+        restrictions=(
+            Restriction(
+                "P101", "Pair bpm/spring requires ghost atoms store velocity", lambda sim, _: not sim.comm.velocity,
+                "comm_modify vel yes",
+            ),
+        ),
+    ),
+)  # fmt: skip
