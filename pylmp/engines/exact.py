@@ -1,8 +1,217 @@
-"""The exact engine (stand-in)."""
+"""The exact engine: one rank of LAMMPS, in the order in which LAMMPS does things, equal to the last bit.
+
+This is also the engine to read: velocity Verlet with neighbor lists, one method a phase.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+from types import FrameType
+from typing import Any
+
+from pylmp.engines.force_field import ForceField
+from pylmp.engines.timers import Timers
+from pylmp.io.neighbor_info import Request, announce
+from pylmp.model.bondlist import Breaks
+from pylmp.model.engine import RunPlan, RunReport
+from pylmp.model.fix import STEP_HOOKS, hooks
+from pylmp.model.ghosts import Ghosts, ghost_cutoff
+from pylmp.model.lost import remove_lost, warn_geometry
+from pylmp.model.scene import Scene
+from pylmp.model.simulation import Simulation
+from pylmp.model.sorting import Sorter
 
 
 class Exact:
+    """Runs a simulation as LAMMPS would on one process."""
+
     name = "exact"
 
-    def run(self, sim, scene, plan):
-        raise NotImplementedError
+    def run(self, sim: Simulation, scene: Scene, plan: RunPlan) -> RunReport:
+        """Set up (unless plan says not to), advance plan.steps steps, report."""
+        if plan.setup or not isinstance(sim.lists, Run):
+            sim.lists = Run(sim)
+            sim.lists.setup()
+        else:
+            sim.output.setup(sim)
+        return sim.lists.advance(plan.steps)
+
+
+class Run:
+    """The lists and bound kernels of a run, and the loop over its steps."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self.sim = sim
+        self.timers = Timers()
+        self.ghosts = Ghosts(sim)
+        self.sorter = Sorter()
+        self.breaks = sim.breaks = sim.breaks if isinstance(sim.breaks, Breaks) else Breaks()
+        before = sim.bond_lists  # of an earlier run: they know what bonds remember since the last copy
+        self.forces = ForceField(sim, self.ghosts)
+        self.forces.prepare(sim)
+        for listed in before:
+            listed.copy_back(sim)
+        sim.bond_lists = self.forces.bonds
+        self.hooks: dict[str, list[Any]] = {}
+        self.builds = self.dangerous = self.ago = 0
+        self.tallied_next = -1
+        self.stop = False
+
+    # ---- set-up ---------------------------------------------------------------------------------------------
+
+    def setup(self) -> None:
+        sim = self.sim
+        if sim.pair is not None:
+            announce(sim, (Request(f"pair {sim.pair.style.name}"),))
+        elif sim.sort.every:
+            sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
+        if not any(fix.integrates for fix in sim.fixes):
+            sim.console.warning("No fixes with time integration, atoms won't move")
+        self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
+        sim.console.screen(
+            f"Setting up Verlet run ...\n  Unit style    : {sim.units.name}\n  Current step  : {sim.step}\n"
+            f"  Time step     : {sim.dt:.8g}\n"
+        )
+        ghost_cutoff(sim, warn=True)
+        sim.box.deforming = any(fix.changes_box for fix in sim.fixes)
+        self._rebuild(setup=True)
+        warn_geometry(sim, self.ghosts)
+        self.builds = self.dangerous = 0
+        for hook in hooks(sim.fixes, "setup_pre_force"):
+            hook(sim)
+        self._forces(tally=True, setup=True)
+        for hook in hooks(sim.fixes, "setup"):
+            hook(sim)
+        sim.output.setup(sim)
+        self.timers.clear()
+
+    # ---- one step -------------------------------------------------------------------------------------------
+
+    def step(self) -> None:
+        """Velocity Verlet: half kick and drift, neighbors, forces, half kick."""
+        sim, timers = self.sim, self.timers
+        sim.step += 1
+        self._call("initial_integrate")
+        self._call("post_integrate")
+        timers.stamp("Modify")
+        if self._must_rebuild():
+            self._rebuild(setup=False)
+        else:
+            timers.stamp("Neigh")
+            self.refresh()
+            timers.stamp("Comm")
+        self._forces(tally=sim.step == self.tallied_next, setup=False)
+        self._call("post_force")
+        self._call("final_integrate")
+        self._call("end_of_step")
+        timers.stamp("Modify")
+
+    def _call(self, name: str) -> None:
+        sim = self.sim
+        for hook in self.hooks[name]:
+            if name == "end_of_step" and sim.step % hook.__self__.every:
+                continue
+            hook(sim)
+
+    def _forces(self, tally: bool, setup: bool) -> None:
+        sim, timers = self.sim, self.timers
+        self.forces.clear(sim)
+        if not setup:
+            if self.breaks.cleared < len(self.breaks.pairs):
+                self.breaks.clear_flags(sim, self.forces.neighbors, self.ghosts)
+            self._call("pre_force")
+            timers.stamp("Modify")
+        self.forces.pairs(sim, tally)
+        timers.stamp("Pair")
+        self.forces.bonded(sim, tally, setup, self.breaks)
+        timers.stamp("Bond")
+        if sim.newton_pair or sim.newton_bond:
+            self.reverse()
+            timers.stamp("Comm")
+
+    # ---- neighbor lists -------------------------------------------------------------------------------------
+
+    def _must_rebuild(self) -> bool:
+        """neigh_modify's every, delay and check; moved more than half the skin since the last build?"""
+        sim, settings = self.sim, self.sim.neighbor
+        self.ago += 1
+        if self.ago < settings.delay or self.ago % settings.every:
+            return False
+        if not settings.check:
+            return True
+        moved = self.forces.anybody_moved(sim)
+        if moved and self.ago == max(settings.every, settings.delay):
+            self.dangerous += 1
+        return moved
+
+    def _rebuild(self, setup: bool) -> None:
+        """Wrap, sort, ghosts, lists, in LAMMPS's order."""
+        sim, atoms = self.sim, self.sim.atoms
+        for listed in [] if setup else self.forces.bonds:
+            listed.copy_back(sim)
+        self.breaks.edit_special(sim)
+        if not setup:
+            self._call("pre_exchange")
+        atoms.clear_ghosts()
+        sim.box.wrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
+        sim.box.shrink(atoms.x[: atoms.n])
+        remove_lost(sim)
+        if sim.sort.every and sim.neighbor_cutoff > 0.0:
+            if setup:
+                self.sorter.lay_out(sim)
+            if setup or sim.step >= self.sorter.next:
+                self.sorter.sort(sim)
+        self.timers.stamp("Comm")
+        cutoff = ghost_cutoff(sim)
+        self.ghosts.build(sim, cutoff)
+        self.timers.stamp("Comm")
+        self.forces.rebuild(sim, cutoff)
+        self.refresh = self.ghosts.bind_refresh(sim)
+        self.reverse = self.ghosts.bind_reverse(sim)
+        self.ago = 0
+        self.builds += 1
+        self._call("post_neighbor")
+        self.timers.stamp("Neigh")
+
+    # ---- the loop -------------------------------------------------------------------------------------------
+
+    def advance(self, steps: int) -> RunReport:
+        """Run steps steps, writing output when it is due. An interrupt ends the run after the current step."""
+        sim, end = self.sim, self.sim.step + steps
+        first = sim.step
+        self.stop = False
+        restore = self._listen()
+        self.timers.clear()
+        try:
+            self.tallied_next = sim.output.next_step(sim)
+            while sim.step < end and not self.stop:
+                self.step()
+                if sim.output.due(sim):
+                    sim.output.write(sim)
+                    self.timers.stamp("Output")
+                    self.tallied_next = sim.output.next_step(sim)
+                if sim.halted:
+                    break
+        finally:
+            restore()
+        self.breaks.edit_special(sim)
+        self._call("post_run")
+        return RunReport(
+            steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections,
+            neighbors=self.forces.neighbors.count if self.forces.neighbors else 0, ghosts=sim.atoms.ghosts,
+            builds=self.builds, dangerous=self.dangerous, interrupted=self.stop,
+        )  # fmt: skip
+
+    def _listen(self) -> Any:
+        """Let an interrupt set a flag; returns what puts the old handler back."""
+        if threading.current_thread() is not threading.main_thread():
+            return lambda: None
+
+        def note(number: int, frame: FrameType | None) -> None:
+            self.stop = True
+
+        before = signal.signal(signal.SIGINT, note)
+        return lambda: signal.signal(signal.SIGINT, before)
+
+

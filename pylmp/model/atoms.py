@@ -119,6 +119,16 @@ class Atoms:
         for array in self.extra.values():
             array[: self.n] = array[: self.n][order]
 
+    def keep(self, order: Ints) -> None:
+        """Keep owned atoms order (rows) in this order, drop the others. Ghosts are forgotten."""
+        self.clear_ghosts()
+        for name in _PER_ATOM:
+            array = getattr(self, name)
+            array[: len(order)] = array[order]
+        for array in self.extra.values():
+            array[: len(order)] = array[order]
+        self.n = len(order)
+
     def clear_ghosts(self) -> None:
         self.ghosts = 0
 

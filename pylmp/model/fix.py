@@ -37,6 +37,10 @@ class Fix:
         self.group = group
         self.bit = bit
 
+    def functions(self) -> list[Any]:
+        """Kernels it will call, so that a run can compile all it needs at once. It binds them in post_neighbor."""
+        return []
+
     def members(self, sim: Simulation) -> Any:
         """(n,) bool: the owned atoms of this fix's group."""
         return (sim.atoms.mask[: sim.atoms.n] & self.bit) != 0

@@ -81,6 +81,13 @@ class Simulation:
         self.report: Any = None
         self.lists: Any = None  # the engine's ghosts and neighbor lists of the last run
         self.ran = False  # a run was set up before
+        self.breaks: Any = None  # bonds broken since the special lists were last edited
+        self.bond_lists: list[Any] = []  # bond lists of the last run, with what bonds remember
+        self.announced: Any = None  # neighbor lists the log has described
+        self.halted = False  # a fix asked the run to end
+        self.lost_bonds_tolerated = False
+        self.natoms = 0  # LAMMPS's global count; atoms.n falls below it when atoms are lost
+        self.skip_run = False
 
     @property
     def box(self) -> Box:

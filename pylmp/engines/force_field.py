@@ -1,0 +1,158 @@
+"""The force field of a run: kernels composed for its scene, bound to its arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pylmp.kernels.exact import neighbor as neighbor_loops
+from pylmp.kernels.exact.bond import bond_loop
+from pylmp.kernels.exact.pair import pair_loop
+from pylmp.kernels.store import kernel, prepare
+from pylmp.model.bondlist import BondList, Breaks
+from pylmp.model.neighbor import NeighborList
+
+if TYPE_CHECKING:
+    from pylmp.kernels.kinds import Function
+    from pylmp.model.bond import BondPart
+    from pylmp.model.ghosts import Ghosts
+    from pylmp.model.simulation import Simulation
+
+Call = Callable[[], float]
+
+
+class ForceField:
+    """Two kernels a style: forces alone, and forces with energies and virial for the steps that ask for them."""
+
+    def __init__(self, sim: Simulation, ghosts: Ghosts) -> None:
+        self.ghosts = ghosts
+        mode = neighbor_loops.HALF if sim.newton_pair else neighbor_loops.HALF_OWNED
+        self.neighbors = NeighborList(sim, mode) if sim.pair and sim.neighbor_cutoff > 0.0 else None
+        self.bonds = [BondList(sim, part) for part in sim.bond.parts] if sim.bond else []
+        self._pair = {tally: self._compose_pair(sim, tally) for tally in (False, True)}
+        self._bond = [
+            {tally: self._compose_bond(sim, listed.part, tally) for tally in (False, True)} for listed in self.bonds
+        ]
+        self._moved = neighbor_loops.moved()
+        self._pair_calls: dict[bool, Call] = {}
+        self._bond_calls: list[dict[tuple[bool, bool], Call]] = []
+        self._moved_call: Call = lambda: 0.0
+        self._weights = np.array([1.0, *sim.special.lj])
+        self._sums = np.zeros(2)
+        self._virial, self._pair_virial = np.zeros(6), np.zeros(6)
+        self._held = np.zeros((0, 3))
+        self._held_box = np.zeros((2, 3))
+        self._limit2 = 0.0
+
+    def prepare(self, sim: Simulation) -> None:
+        """Compile what the store does not have, all at once."""
+        functions = [*self.ghosts.functions(), self._moved]
+        if self.neighbors:
+            functions += self.neighbors.functions()
+        functions += [f for f in self._pair.values() if f is not None]
+        for listed, both in zip(self.bonds, self._bond, strict=True):
+            functions += [*listed.functions(), *both.values()]
+        for fix in sim.fixes:
+            functions += fix.functions()
+        prepare(functions, sim.console.screen)
+
+    def _compose_pair(self, sim: Simulation, tally: bool) -> Function | None:
+        pair = sim.pair
+        if self.neighbors is None or pair.law is None:
+            return None
+        weighted = bool((self.neighbors.policy == 2).any()) and sim.has_bonds
+        return pair_loop(
+            pair.law, pair.width, newton=sim.newton_pair, velocity=pair.velocity, one_type=sim.atom_types == 1,
+            weighted=weighted, tally=tally,
+        )  # fmt: skip
+
+    def _compose_bond(self, sim: Simulation, part: BondPart, tally: bool) -> Function:
+        style = part.style
+        subtract = style.subtract_pair and sim.pair.law is not None
+        return bond_loop(
+            part.law, part.table.shape[1], part.memory,
+            sim.pair.law if subtract else None, sim.pair.width if subtract else 0,
+            newton=sim.newton_bond, velocity=style.velocity, lower_id_first=style.lower_id_first,
+            reference=style.reference, can_break=part.can_break, one_type=sim.bond_types == 1, tally=tally,
+        )  # fmt: skip
+
+    # ---- after each rebuild -----------------------------------------------------------------------------------
+
+    def rebuild(self, sim: Simulation, cutoff: float) -> None:
+        """New lists; remember where the atoms stood; bind the kernels to the arrays as they now are."""
+        atoms = sim.atoms
+        if self.neighbors is not None:
+            self.neighbors.build(sim, cutoff)
+        for listed in self.bonds:
+            if not listed.part.stored:
+                listed.store_reference(sim)
+            listed.build(sim, self.ghosts, sim.lost_bonds_tolerated)
+        self._held = atoms.x[: atoms.n].copy()
+        self._held_box = np.array([sim.box.lo, sim.box.hi])
+        self._bind(sim)
+
+    def _bind(self, sim: Simulation) -> None:
+        atoms = sim.atoms
+        if self.neighbors is not None and self._pair[False] is not None:
+            self._pair_calls = {
+                tally: kernel(function).bind(
+                    atoms.x, atoms.v, atoms.f, atoms.type, self.neighbors.first, self.neighbors.neighbors,
+                    sim.pair.table, len(sim.pair.table), self._weights, self._pair_virial, atoms.n, atoms.total,
+                )
+                for tally, function in self._pair.items()
+            }  # fmt: skip
+        nothing = np.zeros((0, 0, 0))
+        table = sim.pair.table if sim.pair else nothing
+        self._bond_calls = [
+            {
+                (tally, may_break): kernel(both[tally]).bind(
+                    atoms.x, atoms.v, atoms.f, atoms.tag, atoms.type, listed.bonds, listed.history, listed.count,
+                    listed.part.table, table, len(table), self._sums, self._virial, self._pair_virial, listed.broken,
+                    int(may_break), atoms.n,
+                )
+                for tally in (False, True)
+                for may_break in (False, True)
+            }
+            for listed, both in zip(self.bonds, self._bond, strict=True)
+        ]  # fmt: skip
+        skin = sim.neighbor.skin
+        self._limit2 = 0.25 * skin * skin
+        self._moved_call = kernel(self._moved).bind(atoms.x, self._held, self._limit2, atoms.n)
+
+    # ---- every step -------------------------------------------------------------------------------------------
+
+    def clear(self, sim: Simulation) -> None:
+        sim.atoms.f[: sim.atoms.total] = 0.0
+
+    def pairs(self, sim: Simulation, tally: bool) -> None:
+        self._pair_virial[:] = 0.0
+        energy = self._pair_calls[tally]() if self._pair_calls else 0.0
+        self._sums[1] = energy
+        if tally:
+            sim.tally.step = sim.step
+
+    def bonded(self, sim: Simulation, tally: bool, setup: bool, breaks: Breaks) -> None:
+        """Bonds of each style in turn; then what breaks is booked."""
+        energy = 0.0
+        self._virial[:] = 0.0
+        for listed, calls in zip(self.bonds, self._bond_calls, strict=True):
+            broken = calls[tally, not setup or listed.part.style.breaks_in_setup]()
+            energy += self._sums[0]
+            if broken:
+                breaks.record(sim, listed, int(broken))
+        if tally:
+            sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
+            sim.tally.pair_virial[:] = self._pair_virial.tolist()
+            sim.tally.bond_virial[:] = self._virial.tolist()
+
+    def anybody_moved(self, sim: Simulation) -> bool:
+        """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""
+        box = sim.box
+        if not (box.changing and any(box.periodic[: sim.dimension])):
+            return self._moved_call() != 0.0
+        low, high = box.lo - self._held_box[0], box.hi - self._held_box[1]
+        near, far = (float(np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])) for d in (low, high))
+        delta = max(0.5 * (sim.neighbor.skin - (near + far)), 0.0)
+        return kernel(self._moved).bind(sim.atoms.x, self._held, delta * delta, sim.atoms.n)() != 0.0

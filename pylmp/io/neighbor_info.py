@@ -1,0 +1,67 @@
+"""The log's account of neighbor lists, and the words at the start of a run."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from pylmp.model.ghosts import ghost_cutoff
+from pylmp.model.simulation import Simulation
+from pylmp.text.number import eight
+
+
+@dataclass(frozen=True)
+class Request:
+    """One list somebody asked for. who: "pair lj/cut" or "command create_bonds"."""
+
+    who: str
+    full: bool = False
+    occasional: bool = False
+
+
+def announce(sim: Simulation, requests: tuple[Request, ...]) -> None:
+    """Print `Neighbor list info ...`, unless the same lists were announced before."""
+    if sim.announced == requests:
+        return
+    sim.announced = requests
+    cutoff = sim.neighbor_cutoff
+    if cutoff == 0.0:
+        return
+    settings = sim.neighbor
+    reach = ghost_cutoff(sim, warn=True)
+    size = 0.5 * cutoff
+    lengths = sim.box.length
+    bins = " ".join(str(math.ceil(float(length) / size)) for length in lengths)
+    count = len(requests)
+    occasional = sum(request.occasional for request in requests)
+    check = "yes" if settings.check else "no"
+    lines = [
+        "Neighbor list info ...",
+        f"  update: every = {settings.every} steps, delay = {settings.delay} steps, check = {check}",
+        f"  max neighbors/atom: {settings.one}, page size: {settings.page}",
+        f"  master list distance cutoff = {eight(cutoff)}",
+        f"  ghost atom cutoff = {eight(reach)}",
+        f"  binsize = {eight(size)}, bins = {bins}",
+        f"  {count} neighbor lists, perpetual/occasional/extra = {count - occasional} {occasional} 0",
+    ]
+    for number, request in enumerate(requests, 1):
+        lines += _describe(sim, number, request)
+    sim.console.both("\n".join(lines) + "\n")
+
+
+def _describe(sim: Simulation, number: int, request: Request) -> list[str]:
+    newton = "on" if sim.newton_pair else "off"
+    only = "" if sim.has_bonds else "atomonly/"
+    if request.full:
+        build, stencil = f"full/bin/{only}".rstrip("/"), f"full/bin/{sim.dimension}d"
+    elif sim.newton_pair:
+        build, stencil = f"half/bin/{only}newton", f"half/bin/{sim.dimension}d"
+    else:
+        build, stencil = f"half/bin/{only}newtoff", f"full/bin/{sim.dimension}d"
+    return [
+        f"  ({number}) {request.who}, {'occasional' if request.occasional else 'perpetual'}",
+        f"      attributes: {'full' if request.full else 'half'}, newton {newton}",
+        f"      pair build: {build}",
+        f"      stencil: {stencil}",
+        "      bin: standard",
+    ]

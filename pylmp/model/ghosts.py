@@ -1,0 +1,95 @@
+"""Ghost atoms of a simulation: periodic images within reach of the box, refreshed every step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pylmp.kernels.exact import ghosts as loops
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.store import kernel
+from pylmp.text.number import shortest
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+
+
+def bond_reach(sim: Simulation) -> float:
+    """LAMMPS's estimate of how far bonds reach; 0.0 without bonds."""
+    return sim.bond.reach() + sim.neighbor.skin if sim.bond and sim.bonds else 0.0
+
+
+def ghost_cutoff(sim: Simulation, warn: bool = False) -> float:
+    """How far ghosts reach: the user's cutoff, the neighbor cutoff or, without a pair style, the bond estimate."""
+    cutoff = max(sim.comm.cutoff, sim.neighbor_cutoff)
+    bonds = bond_reach(sim)
+    if cutoff == 0.0:
+        return bonds
+    if warn and bonds > cutoff:
+        sim.console.warning(
+            f"Communication cutoff {shortest(cutoff)} is shorter than a bond length based estimate of "
+            f"{shortest(bonds)}. This may lead to errors."
+        )
+    if warn and 0.0 < sim.comm.cutoff < sim.neighbor_cutoff:
+        sim.console.warning(f"Communication cutoff adjusted to {shortest(sim.neighbor_cutoff)}")
+    return cutoff
+
+
+class Ghosts:
+    """Which owned or ghost row each ghost copies, and by which shift; IDs to rows."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self.velocity = sim.ghost_velocity
+        periodic = sim.box.periodic
+        self._borders = loops.borders(periodic, sim.dimension)
+        self._refresh = loops.refresh(self.velocity)
+        self._reverse = loops.reverse()
+        self._index = loops.index()
+        self.swaps = np.zeros(2, np.int64)
+        self.source = self.axis = np.zeros(0, np.int64)
+        self.sign = np.zeros(0)
+        self.first = self.same = np.zeros(0, np.int64)
+
+    def functions(self) -> list[Function]:
+        return [self._borders, self._refresh, self._reverse, self._index]
+
+    def build(self, sim: Simulation, cutoff: float) -> None:
+        """Make ghosts anew; grows arrays until they fit."""
+        atoms, box = sim.atoms, sim.box
+        atoms.clear_ghosts()
+        pairs = sum(2 * (int(cutoff / length) + 1) for length in box.length)
+        if len(self.swaps) < pairs + 2:
+            self.swaps = np.zeros(pairs + 2, np.int64)
+        atoms.reserve(atoms.n + 1)
+        while True:
+            self._fit(atoms.capacity)
+            total = kernel(self._borders).bind(
+                atoms.x, atoms.v, atoms.tag, atoms.type, atoms.mask, self.source, self.axis, self.sign, self.swaps,
+                box.lo, box.hi, cutoff, atoms.n, atoms.capacity,
+            )()  # fmt: skip
+            if total >= 0.0:
+                break
+            atoms.reserve(2 * atoms.capacity)
+        atoms.ghosts = int(total) - atoms.n
+        tags = int(atoms.tag[: atoms.n].max()) + 1 if atoms.n else 1
+        if len(self.first) != tags:
+            self.first = np.zeros(tags, np.int64)
+        kernel(self._index).bind(atoms.tag, self.first, self.same, tags, atoms.total)()
+
+    def _fit(self, capacity: int) -> None:
+        if len(self.source) < capacity:
+            self.source = np.zeros(capacity, np.int64)
+            self.axis = np.zeros(capacity, np.int64)
+            self.same = np.zeros(capacity, np.int64)
+            self.sign = np.zeros(capacity)
+
+    def bind_refresh(self, sim: Simulation) -> Callable[[], float]:
+        atoms, box = sim.atoms, sim.box
+        return kernel(self._refresh).bind(
+            atoms.x, atoms.v, self.source, self.axis, self.sign, box.lo, box.hi, atoms.n, atoms.total
+        )
+
+    def bind_reverse(self, sim: Simulation) -> Callable[[], float]:
+        return kernel(self._reverse).bind(sim.atoms.f, self.source, self.swaps)

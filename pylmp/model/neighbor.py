@@ -1,0 +1,157 @@
+"""Neighbor lists of a simulation: the grid of bins, the stencil, the list."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pylmp.kernels.exact import neighbor as loops
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.store import kernel
+from pylmp.text.diagnostic import ScriptError
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+
+_SMALL = 1.0e-6  # of the box length: how far beyond the ghosts the grid reaches
+EXCLUDE, ORDINARY, FLAGGED = 0, 1, 2
+
+
+def policy(sim: Simulation) -> tuple[int, int, int, int]:
+    """What becomes of 1-2, 1-3, 1-4 pairs (entries 1 to 3): left out, ordinary, or flagged with their kind."""
+    kinds = [ORDINARY]
+    for lj, coul in zip(sim.special.lj, sim.special.coul, strict=True):
+        if lj == 0.0 and coul == 0.0:
+            kinds.append(EXCLUDE)
+        else:
+            kinds.append(ORDINARY if lj == 1.0 and coul == 1.0 else FLAGGED)
+    a, b, c, d = kinds
+    return a, b, c, d
+
+
+class Grid:
+    """Bins of half the neighbor cutoff, padded beyond the ghosts; numbers as LAMMPS rounds them."""
+
+    def __init__(self, sim: Simulation, cutoff: float, ghost_cutoff: float) -> None:
+        box = sim.box
+        count, low, size, reach = [1, 1, 1], [-1, -1, -1], [3, 3, 3], [0, 0, 0]
+        self.width = [1.0, 1.0, 1.0]
+        inverse = [1.0, 1.0, 1.0]
+        per_bin = 1.0 / (0.5 * cutoff)
+        for d in range(sim.dimension):
+            lo, hi = float(box.lo[d]), float(box.hi[d])
+            length = hi - lo
+            count[d] = max(1, int(length * per_bin))
+            self.width[d] = length / count[d]
+            inverse[d] = 1.0 / self.width[d]
+            edge = lo - ghost_cutoff - _SMALL * length
+            first = int((edge - lo) * inverse[d])
+            if edge < lo:
+                first -= 1
+            last = int((hi + ghost_cutoff + _SMALL * length - lo) * inverse[d])
+            low[d], size[d] = first - 1, last + 1 - (first - 1) + 1
+            reach[d] = int(cutoff * inverse[d])
+            if reach[d] * self.width[d] < cutoff:
+                reach[d] += 1
+        self.reach = reach
+        self.size = size
+        self.cutoff = cutoff
+        self.numbers = np.array(count + low + size, np.int64)
+        self.inverse = np.array(inverse)
+        self.bins = size[0] * size[1] * size[2]
+
+    def stencil(self, half: bool) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+        """[rows, first, last, first, last, ...]: runs of bins near a bin, relative to it, in LAMMPS's order.
+
+        half: the bins after it in z, then y, then x only.
+        """
+        sx, sy, sz = self.reach
+        rows: list[int] = []
+        for k in range(0 if half else -sz, sz + 1):
+            for j in range(-sy, sy + 1):
+                if half and k == 0 and j < 0:
+                    continue
+                start = 1 if half and k == 0 and j == 0 else -sx
+                near = [i for i in range(start, sx + 1) if self._distance2(i, j, k) < self.cutoff * self.cutoff]
+                if near:
+                    base = (k * self.size[1] + j) * self.size[0]
+                    rows += [base + near[0], base + near[-1]]
+        return np.array([len(rows) // 2, *rows], np.int64)
+
+    def _distance2(self, i: int, j: int, k: int) -> float:
+        """Squared distance between the nearest corners of two bins."""
+        gaps = [(abs(n) - 1) * w if n else 0.0 for n, w in zip((i, j, k), self.width, strict=True)]
+        return gaps[0] * gaps[0] + gaps[1] * gaps[1] + gaps[2] * gaps[2]
+
+
+class NeighborList:
+    """first (n + 1,) int64, neighbors int32: row i's entries are neighbors[first[i]:first[i+1]]."""
+
+    def __init__(self, sim: Simulation, mode: str) -> None:
+        self.mode = mode
+        kinds = policy(sim)
+        weighted = sim.has_bonds and any(kind != ORDINARY for kind in kinds)
+        self.policy = np.array(kinds, np.int64)
+        one_cutoff = bool((sim.pair.cut[1:, 1:] == sim.pair.cut[1, 1]).all())
+        self._bins = loops.bins(sim.dimension)
+        self._list = loops.listing(mode, one_cutoff, weighted, sim.box.periodic)
+        self.first = np.zeros(1, np.int64)
+        self.neighbors = np.zeros(1024, np.int32)
+        self._grid: tuple[tuple[float, ...], Grid, np.ndarray[tuple[int], np.dtype[np.int64]]] | None = None
+        self._scratch = (np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0))
+        self._start = np.zeros(0, np.int64)
+
+    def functions(self) -> list[Function]:
+        return [self._bins, self._list]
+
+    @property
+    def count(self) -> int:
+        return int(self.first[-1])
+
+    def build(self, sim: Simulation, ghost_cutoff: float) -> None:
+        """List the neighbors of all owned atoms; ghosts are there. Raises ScriptError on lost or crowded atoms."""
+        atoms, box = sim.atoms, sim.box
+        grid, rows = self._geometry(sim, ghost_cutoff)
+        bin_of, member, at, place = self._fit(atoms.capacity, grid.bins)
+        lost = kernel(self._bins).bind(
+            atoms.x, box.lo, box.hi, grid.inverse, grid.numbers, bin_of, self._start, member, at, atoms.total
+        )()
+        if lost < 0.0:
+            row = int(-1.0 - lost)
+            raise ScriptError(
+                "Non-numeric atom coords - simulation unstable"
+                if not np.isfinite(atoms.x[row]).all()
+                else f"Atom {int(atoms.tag[row])} has left the neighbor grid at step {sim.step}",
+                hint="a smaller timestep, or forces that do not diverge",
+            )
+        skin = sim.neighbor.skin
+        cut2 = np.where(sim.pair.cut > 0.0, (sim.pair.cut + skin) * (sim.pair.cut + skin), -1.0)
+        halves = 0.5 * box.length
+        if len(self.first) != atoms.n + 1:
+            self.first = np.zeros(atoms.n + 1, np.int64)
+        while True:
+            entries = kernel(self._list).bind(
+                atoms.x, atoms.type, atoms.tag, bin_of, self._start, member, at, place, rows, cut2, len(cut2),
+                atoms.num_special, atoms.special, atoms.max_special, self.policy, halves, self.first, self.neighbors,
+                atoms.n, atoms.total, len(self.neighbors),
+            )()  # fmt: skip
+            if entries >= 0.0:
+                break
+            self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
+        if atoms.n and int(np.diff(self.first).max()) > sim.neighbor.one:
+            raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
+
+    def _geometry(self, sim: Simulation, ghost_cutoff: float) -> tuple[Grid, np.ndarray[tuple[int], np.dtype[np.int64]]]:
+        key = (*map(float, sim.box.lo), *map(float, sim.box.hi), sim.neighbor_cutoff, ghost_cutoff)
+        if self._grid is None or self._grid[0] != key:
+            grid = Grid(sim, sim.neighbor_cutoff, ghost_cutoff)
+            self._grid = key, grid, grid.stencil(self.mode == loops.HALF)
+        return self._grid[1], self._grid[2]
+
+    def _fit(self, rows: int, bins: int):  # type: ignore[no-untyped-def]
+        if len(self._scratch[0]) < rows:
+            self._scratch = (*(np.zeros(rows, np.int64) for _ in range(3)), np.zeros(3 * rows))  # type: ignore[assignment]
+        if len(self._start) < bins + 1:
+            self._start = np.zeros(bins + 1, np.int64)
+        return self._scratch
