@@ -1,0 +1,36 @@
+"""pair_modify shift yes|no mix geometric|arithmetic|sixthpower tail yes|no"""
+
+from __future__ import annotations
+
+from pylmp.model.pair import ARITHMETIC, GEOMETRIC, SIXTHPOWER
+from pylmp.model.registry import command
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import Unsupported
+from pylmp.text.words import Args
+
+_ELSEWHERE = ("pair", "special", "table", "table/disp", "tabinner", "tabinner/disp", "compute", "nofdotr", "neigh/trim")
+
+
+@command("pair_modify")
+def pair_modify(sim: Simulation, args: Args) -> None:
+    """Energy shift at the cutoff, mixing rule, tail corrections."""
+    if sim.pair is None:
+        args.fail("Pair_modify command before pair_style is defined", args.owner, hint="pair_style comes first")
+    args.need(1)
+    while len(args):
+        word = args.word()
+        if word.text == "mix":
+            rule = args.word()
+            if rule.text not in (GEOMETRIC, ARITHMETIC, SIXTHPOWER):
+                args.fail(f"Unknown pair_modify mix argument: {rule.text}", rule, hint="geometric arithmetic sixthpower")
+            sim.pair.mix = rule.text
+        elif word.text == "shift":
+            args.need(1)
+            sim.pair.shift = args.yes()
+        elif word.text == "tail":
+            args.need(1)
+            sim.pair.tail = args.yes()
+        elif word.text in _ELSEWHERE:
+            raise Unsupported(f"LAMMPS has pair_modify {word.text}, pylmp's native engines do not", word.span)
+        else:
+            args.fail(f"Unknown pair_modify keyword: {word.text}", word, hint="mix shift tail")

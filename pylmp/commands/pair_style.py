@@ -1,0 +1,31 @@
+"""pair_style STYLE settings... | none"""
+
+from __future__ import annotations
+
+from pylmp.model.pair import Pair
+from pylmp.model.registry import PAIRS, command
+from pylmp.model.simulation import Simulation
+from pylmp.model.unknown import unknown_style
+from pylmp.text.words import Args
+
+
+@command("pair_style")
+def pair_style(sim: Simulation, args: Args) -> None:
+    """Choose the pair style. The same style again changes its settings and keeps its coefficients, as in LAMMPS."""
+    name = args.word()
+    if name.text == "none":
+        sim.pair = None
+        return
+    style = PAIRS.find(name.text)
+    if style is None:
+        unknown_style(args, name, "pair", PAIRS)
+    inner = Args("pair_style", args.rest(), name, style.manual)
+    options = style.settings(sim, inner)
+    before = sim.pair
+    sim.pair = Pair(style, options, sim.atom_types)
+    if before is not None and before.style is style:
+        sim.pair.given = {
+            pair: (coeffs, options["cut"] if cut == before.options["cut"] else cut)
+            for pair, (coeffs, cut) in before.given.items()
+        }
+        sim.pair.mix, sim.pair.shift, sim.pair.tail = before.mix, before.shift, before.tail

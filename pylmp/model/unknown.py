@@ -1,0 +1,45 @@
+"""What to say of a style name that is not known here."""
+
+from __future__ import annotations
+
+from typing import Any, NoReturn
+
+from pylmp.model.registry import Registry
+from pylmp.text.diagnostic import Unsupported
+from pylmp.text.words import Args, Word
+
+# Styles of the LAMMPS manual that pylmp lacks: known, not misspelled.
+ELSEWHERE = {
+    "pair": "lj/cut/coul/cut lj/cut/coul/long lj/expand lj/smooth lj/gromacs lj96/cut soft morse buck buck/coul/cut born coul/cut "
+    "coul/long coul/debye yukawa table hybrid hybrid/overlay hybrid/scaled eam eam/alloy eam/fs sw tersoff airebo rebo reaxff dpd "
+    "gran/hooke gran/hooke/history gran/hertz/history granular lubricate colloid gauss lj/class2 lj/cubic mie/cut python tri/lj zbl",
+    "bond": "angles bpm/rotational bpm/spring class2 fene fene/expand fene/nm gaussian gromos harmonic/restrain harmonic/shift "
+    "harmonic/shift/cut lepton mesocnt mm3 morse nonlinear oxdna/fene rheo/shell special table",
+    "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo ave/time aveforce balance bond/break bond/create "
+    "bond/react bond/swap box/relax controller deposit drag dt/reset efield evaporate external flow/gauss freeze gcmc gravity halt "
+    "heat indent langevin/drude lineforce momentum msst neb nph npt nve/limit nve/noforce nve/sphere nvk nvt nvt/sllod orient/fcc "
+    "oneway planeforce poems pour press/berendsen print property/atom python/invoke qeq/point rattle recenter restrain rigid "
+    "rigid/small rigid/nve rigid/nvt setforce/spin shake shardlow spring spring/chunk spring/rg spring/self srd store/force "
+    "store/state temp/berendsen temp/csld temp/csvr temp/rescale thermal/conductivity tfmc ttm vector viscosity wall/gran "
+    "wall/harmonic wall/lj126 wall/lj93 wall/lj1043 wall/reflect wall/region wall/srd widom",
+    "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom chunk/atom chunk/spread/atom cluster/atom "
+    "cna/atom com com/chunk contact/atom coord/atom dihedral dihedral/local dilatation/atom dipole displace/atom erotate/sphere "
+    "event/displace fragment/atom gyration gyration/chunk group/group heat/flux hexorder/atom improper/local inertia/chunk ke/atom "
+    "msd msd/chunk msd/nongauss nbond orientorder/atom pair pair/local pe/atom pressure/cylinder property/atom property/chunk rdf "
+    "reduce/chunk reduce/region slice stress/atom stress/mop temp/asphere temp/chunk temp/com temp/deform temp/partial temp/profile "
+    "temp/ramp temp/region temp/rotate temp/sphere torque/chunk vacf vcm/chunk voronoi/atom xrd",
+    "dump": "atom/gz cfg custom/gz dcd h5md image local/gz molfile movie netcdf vtk xtc xyz yaml",
+    "region": "cone ellipsoid intersect plane prism union",
+}  # fmt: skip
+
+
+def unknown_style(args: Args, name: Word, kind: str, registry: Registry[Any]) -> NoReturn:
+    """LAMMPS's sentence with a guess at what was meant; or that only LAMMPS has it."""
+    if name.text.removesuffix("/omp").removesuffix("/opt") in ELSEWHERE.get(kind, "").split():
+        raise Unsupported(
+            f"LAMMPS has {kind} style {name.text}, pylmp's native engines do not", name.span,
+            hint="--engine lammps runs this script on LAMMPS", manual=f"{kind}_{name.text.replace('/', '_')}.html",
+        )  # fmt: skip
+    near = registry.near(name.text)
+    hint = f"did you mean {near}?" if near else f"known: {' '.join(registry.names())}"
+    args.fail(f"Unrecognized {kind} style '{name.text}'", name, hint=hint)
