@@ -118,6 +118,23 @@ class Simulation:
         largest = float(self.pair.cut.max()) if self.pair else 0.0
         return largest + self.neighbor.skin if largest > 0.0 else 0.0
 
+    @property
+    def spacing(self) -> tuple[float, float, float]:
+        """Lattice spacings; 1.0 before any lattice command."""
+        return self.lattice.spacing if self.lattice else (1.0, 1.0, 1.0)
+
+    def define_types(self, atom_types: int, bond_types: int) -> None:
+        """Fix the numbers of atom and bond types when the box comes to be."""
+        self.atom_types, self.bond_types = atom_types, bond_types
+        self.mass = np.zeros(atom_types + 1)
+        if self.pair is not None:
+            self.pair.types = atom_types
+        if self.bond is not None:
+            self.bond.types = bond_types
+            for part in self.bond.parts:
+                part.table = np.zeros((bond_types + 1, part.table.shape[1]))
+                part.mine = np.zeros(bond_types + 1, np.uint8)
+
     def masses(self) -> Any:
         """(n,) mass of each owned atom."""
         return self.mass[self.atoms.type[: self.atoms.n]]

@@ -1,0 +1,26 @@
+"""boundary x y z, each one or two letters of p f s m"""
+
+from __future__ import annotations
+
+from pylmp.model.registry import command
+from pylmp.model.simulation import Simulation
+from pylmp.text.words import Args
+
+
+@command("boundary")
+def boundary(sim: Simulation, args: Args) -> None:
+    """Periodic, fixed, shrink-wrapped, or shrink-wrapped with a minimum, for each face."""
+    if sim.has_box:
+        args.fail("Boundary command after simulation box is defined", args.owner, hint="boundary comes before the box")
+    if len(args) != 3:
+        args.fail(f"Illegal boundary command: expected 3 arguments but found {len(args)}", args.owner)
+    faces = []
+    for word in args.rest():
+        low, high = word.text[:1], word.text[1:] or word.text[:1]
+        for letter in (low, high):
+            if letter not in ("p", "f", "s", "m"):
+                args.fail(f"Unknown boundary keyword: {letter}", word, hint="p, f, s or m, one for both faces or two letters")
+        if (low == "p") != (high == "p"):
+            args.fail("Both sides of boundary must be periodic", word)
+        faces.append((low, high))
+    sim.boundary = faces[0], faces[1], faces[2]

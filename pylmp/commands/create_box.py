@@ -1,0 +1,67 @@
+"""create_box NTYPES REGION keywords..."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pylmp.model.atoms import Atoms
+from pylmp.model.box import Box
+from pylmp.model.registry import command
+from pylmp.model.simulation import Simulation
+from pylmp.text.number import eight
+from pylmp.text.words import Args
+
+
+def describe(box: Box) -> str:
+    """`orthogonal box = (0 0 0) to (4 5 6)`"""
+    low, high = (" ".join(eight(float(c)) for c in corner) for corner in (box.lo, box.hi))
+    return f"orthogonal box = ({low}) to ({high})"
+
+
+@command("create_box")
+def create_box(sim: Simulation, args: Args) -> None:
+    """Make the box from a region's extent, without atoms."""
+    args.need(2)
+    types, name = args.integer(), args.word()
+    if sim.has_box:
+        args.fail("Cannot create_box after simulation box is defined", args.owner, hint="clear starts anew")
+    region = sim.regions.get(name.text)
+    if region is None:
+        args.fail(f"Create_box region {name.text} does not exist", name)
+    if region.bounds is None:
+        args.fail("Create_box region does not support a bounding box", name, hint="a region without side out")
+    options = _options(sim, args)
+    low, high = region.bounds
+    if sim.dimension == 2:
+        if not sim.boundary[2][0] == "p":
+            args.fail("Cannot run 2d simulation with nonperiodic Z dimension", args.owner, hint="boundary x y p")
+        if low[2] >= 0.0 or high[2] <= 0.0:
+            args.fail("Create_box region zlo/zhi for 2d simulation must straddle 0.0", name)
+    box = Box(np.array(low), np.array(high), sim.boundary, sim.dimension)
+    sim.console.both(f"Created {describe(box)}\n")
+    box.set_initial()
+    sim.console.both("  1 by 1 by 1 MPI processor grid\n")
+    sim.box = box
+    sim.define_types(types, options["bond/types"])
+    sim.atoms = Atoms(options["extra/bond/per/atom"], 1 + options["extra/special/per/atom"])
+    sim.step = 0
+
+
+def _options(sim: Simulation, args: Args) -> dict[str, int]:
+    options = {"bond/types": 0, "extra/bond/per/atom": 0, "extra/special/per/atom": 0}
+    kinds = ("bond", "angle", "dihedral", "improper")
+    known = [f"{k}/types" for k in kinds] + [f"extra/{k}/per/atom" for k in kinds] + ["extra/special/per/atom"]
+    while len(args):
+        word = args.word()
+        if word.text not in known:
+            args.fail(f"Unknown create_box keyword: {word.text}", word, hint="bond/types extra/bond/per/atom extra/special/per/atom")
+        args.need(1)
+        value = args.integer()
+        kind = word.text.split("/")[0 if word.text.endswith("types") else 1]
+        if kind == "special":
+            options[word.text] += value
+        elif kind == "bond" and sim.has_bonds:
+            options[word.text] = value
+        else:
+            args.fail(f"No {kind}s allowed with atom style {sim.atom_style}", word)
+    return options

@@ -1,0 +1,32 @@
+"""region ID STYLE arguments... keywords..., region ID delete"""
+
+from __future__ import annotations
+
+from pylmp.model.region import read_options
+from pylmp.model.registry import REGIONS, command
+from pylmp.model.simulation import Simulation
+from pylmp.model.unknown import unknown_style
+from pylmp.text.words import Args
+
+
+@command("region")
+def region(sim: Simulation, args: Args) -> None:
+    """Define a region of space."""
+    args.need(2)
+    identity, style = args.word(), args.word()
+    if style.text == "delete":
+        if identity.text not in sim.regions:
+            args.fail(f"Delete region {identity.text} does not exist", identity)
+        del sim.regions[identity.text]
+        return
+    if identity.text in sim.regions:
+        args.fail(f"Reuse of region ID {identity.text}", identity, hint="another name, or region ID delete first")
+    kind = REGIONS.find(style.text)
+    if kind is None:
+        unknown_style(args, style, "region", REGIONS)
+    args.need(kind.words)
+    outside, lattice = read_options(args, args.at + kind.words)
+    scale = sim.spacing if lattice else (1.0, 1.0, 1.0)
+    found = kind(sim, args, scale)
+    found.outside = outside
+    sim.regions[identity.text] = found
