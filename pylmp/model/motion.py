@@ -1,0 +1,86 @@
+"""Momentum, rotation and temperature of a group, summed in LAMMPS's order."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pylmp.model.atoms import Floats
+from pylmp.model.sums import total
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+
+_SINGULAR = 1.0e-6  # determinant of an inertia tensor below which its axes are found first
+Chosen = NDArray[np.bool_]
+
+
+def center_of_mass_velocity(sim: Simulation, chosen: Chosen) -> Floats:
+    """(3,) sum(m v)/M."""
+    m = sim.masses()[chosen]
+    v = sim.atoms.v[: sim.atoms.n][chosen]
+    whole = total(m)
+    return np.array([total(v[:, d] * m) / whole for d in range(3)])
+
+
+def temperature_dof(sim: Simulation, chosen: Chosen) -> float:
+    """dimension*N - dimension."""
+    return float(sim.dimension * int(chosen.sum()) - sim.dimension)
+
+
+def temperature_of(sim: Simulation, chosen: Chosen, dof: float) -> float:
+    """Temperature of a group from its velocities; 0.0 without degrees of freedom."""
+    if dof <= 0.0:
+        return 0.0
+    m = sim.masses()[chosen]
+    v = sim.atoms.v[: sim.atoms.n][chosen]
+    t = total((v[:, 0] * v[:, 0] + v[:, 1] * v[:, 1] + v[:, 2] * v[:, 2]) * m)
+    return t * (sim.units.mvv2e / (dof * sim.units.boltz))
+
+
+def remove_rotation(sim: Simulation, chosen: Chosen) -> None:
+    """Subtract omega x r, omega from angular momentum and inertia about the center of mass, unwrapped coordinates."""
+    atoms = sim.atoms
+    m = sim.masses()[chosen]
+    v = atoms.v[: atoms.n][chosen]
+    x = sim.box.unwrap(atoms.x[: atoms.n][chosen], atoms.image[: atoms.n][chosen])
+    whole = total(m)
+    center = np.array([total(x[:, d] * m) / whole for d in range(3)])
+    a, b, c = (x[:, d] - center[d] for d in range(3))
+    momentum = (
+        total(m * (b * v[:, 2] - c * v[:, 1])), total(m * (c * v[:, 0] - a * v[:, 2])), total(m * (a * v[:, 1] - b * v[:, 0])),
+    )  # fmt: skip
+    xx, yy, zz = total(m * (b * b + c * c)), total(m * (a * a + c * c)), total(m * (a * a + b * b))
+    xy, yz, xz = -total(m * a * b), -total(m * b * c), -total(m * a * c)
+    inertia = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    w = angular_velocity(inertia, momentum)
+    v[:, 0] -= w[1] * c - w[2] * b
+    v[:, 1] -= w[2] * a - w[0] * c
+    v[:, 2] -= w[0] * b - w[1] * a
+    atoms.v[: atoms.n][chosen] = v
+
+
+def angular_velocity(
+    i: tuple[tuple[float, float, float], ...], momentum: tuple[float, float, float]
+) -> tuple[float, float, float]:
+    """Solve I w = L; along the axes that have inertia if I is singular."""
+    det = (
+        i[0][0] * i[1][1] * i[2][2] + i[0][1] * i[1][2] * i[2][0] + i[0][2] * i[1][0] * i[2][1]
+        - i[0][0] * i[1][2] * i[2][1] - i[0][1] * i[1][0] * i[2][2] - i[2][0] * i[1][1] * i[0][2]
+    )  # fmt: skip
+    if det > _SINGULAR:
+        inverse = (
+            (i[1][1] * i[2][2] - i[1][2] * i[2][1], -(i[0][1] * i[2][2] - i[0][2] * i[2][1]), i[0][1] * i[1][2] - i[0][2] * i[1][1]),
+            (-(i[1][0] * i[2][2] - i[1][2] * i[2][0]), i[0][0] * i[2][2] - i[0][2] * i[2][0], -(i[0][0] * i[1][2] - i[0][2] * i[1][0])),
+            (i[1][0] * i[2][1] - i[1][1] * i[2][0], -(i[0][0] * i[2][1] - i[0][1] * i[2][0]), i[0][0] * i[1][1] - i[0][1] * i[1][0]),
+        )  # fmt: skip
+        rows = [[q / det for q in row] for row in inverse]
+        a, b, c = (row[0] * momentum[0] + row[1] * momentum[1] + row[2] * momentum[2] for row in rows)
+        return a, b, c
+    values, axes = np.linalg.eigh(np.array(i))
+    along = axes.T @ np.array(momentum)
+    turning = np.where(values > _SINGULAR * values.max(), along / np.where(values > 0.0, values, 1.0), 0.0)
+    a, b, c = (float(q) for q in axes @ turning)
+    return a, b, c
