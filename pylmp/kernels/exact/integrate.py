@@ -38,14 +38,14 @@ def kick(everyone: bool) -> Function:
 
 def langevin(everyone: bool) -> Function:
     def drag_and_noise(
-        v: "f8*", f: "f8*", type_: "i8*", mask: "i8*", drag: "f8*", noise: "f8*", heat: "f8", table: "f8*", state: "f8*",
+        v: "f8*", f: "f8*", type_: "i8*", mask: "i8*", drag: "f8*", noise: "f8*", heat: "f8*", table: "f8*", state: "f8*",
         bit: "i8", n: "i8",
     ) -> "f8":
-        """f += drag*v + noise*heat*(u - 1/2), u uniform, three numbers an atom; heat = sqrt(target temperature)."""
+        """f += drag*v + noise*heat*(u - 1/2), u uniform, three numbers an atom; heat[0] = sqrt(target temperature)."""
         for i in range(n):
             if everyone or mask[i] & bit != 0:
                 g1 = drag[type_[i]]
-                g2 = noise[type_[i]] * heat
+                g2 = noise[type_[i]] * heat[0]
                 rx = g2 * (mars(table, state) - 0.5)
                 ry = g2 * (mars(table, state) - 0.5)
                 rz = g2 * (mars(table, state) - 0.5)

@@ -1,0 +1,39 @@
+"""comm_modify cutoff R vel yes|no mode single"""
+
+from __future__ import annotations
+
+from pylmp.model.registry import command
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import Unsupported
+from pylmp.text.words import Args
+
+_ELSEWHERE = ("cutoff/multi", "cutoff/bond", "group", "reduce/multi", "gather")
+
+
+@command("comm_modify")
+def comm_modify(sim: Simulation, args: Args) -> None:
+    """How far ghost atoms reach, and whether they carry velocities."""
+    args.need(1)
+    while len(args):
+        key = args.word()
+        if key.text == "cutoff":
+            args.need(1)
+            word = args.word()
+            value = args.as_number(word)
+            if value < 0.0:
+                args.fail("Invalid cutoff in comm_modify command", word)
+            sim.comm.cutoff = value
+        elif key.text == "vel":
+            args.need(1)
+            sim.comm.velocity = args.yes()
+        elif key.text == "mode":
+            args.need(1)
+            mode = args.word()
+            if mode.text in ("multi", "multi/old"):
+                raise Unsupported(f"LAMMPS has comm_modify mode {mode.text}, pylmp's native engines do not", mode.span)
+            if mode.text != "single":
+                args.fail(f"Unknown comm_modify mode argument: {mode.text}", mode, hint="single")
+        elif key.text in _ELSEWHERE:
+            raise Unsupported(f"LAMMPS has comm_modify {key.text}, pylmp's native engines do not", key.span)
+        else:
+            args.fail(f"Unknown comm_modify keyword: {key.text}", key, hint="cutoff vel mode")

@@ -1,0 +1,30 @@
+"""fix ID GROUP enforce2d: no motion out of the plane; z velocities and forces are zeroed every step.
+
+Source: LAMMPS manual, fix_enforce2d.html.
+"""
+
+from __future__ import annotations
+
+from pylmp.model.fix import Fix
+from pylmp.model.registry import FIXES
+from pylmp.model.simulation import Simulation
+from pylmp.text.words import Args
+
+
+@FIXES.register("enforce2d")
+class Enforce2d(Fix):
+    style = "enforce2d"
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        super().__init__(sim, identity, group, bit, args)
+        if len(args):
+            args.illegal(args.peek())
+        if sim.dimension == 3:
+            args.fail("Cannot use fix enforce2d with 3d simulation", args.owner, hint="dimension 2")
+
+    def post_force(self, sim: Simulation) -> None:
+        rows = self.members(sim)
+        sim.atoms.v[: sim.atoms.n][rows, 2] = 0.0
+        sim.atoms.f[: sim.atoms.n][rows, 2] = 0.0
+
+    setup = post_force

@@ -1,0 +1,51 @@
+"""fix ID GROUP nve: velocity Verlet at constant energy.
+
+    v += (dt/2)(f/m);  x += dt v;  (new forces)  v += (dt/2)(f/m)
+
+Source: LAMMPS manual, fix_nve.html.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from pylmp.kernels.exact import integrate
+from pylmp.kernels.store import kernel
+from pylmp.model.fix import Fix
+from pylmp.model.registry import FIXES
+from pylmp.model.simulation import Simulation
+from pylmp.text.words import Args
+
+
+@FIXES.register("nve")
+class NVE(Fix):
+    style = "nve"
+    integrates = True
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        super().__init__(sim, identity, group, bit, args)
+        if len(args):
+            args.fail("Unsupported additional arguments for fix nve", args.peek())
+        everyone = bit == 1
+        self._first, self._second = integrate.kick_and_drift(everyone), integrate.kick(everyone)
+        self._calls: tuple[Callable[[], float], Callable[[], float]] = (lambda: 0.0, lambda: 0.0)
+
+    def functions(self) -> list[Any]:
+        return [self._first, self._second]
+
+    def post_neighbor(self, sim: Simulation) -> None:
+        atoms = sim.atoms
+        half = 0.5 * sim.dt * sim.units.ftm2v
+        self._calls = (
+            kernel(self._first).bind(
+                atoms.x, atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, half, sim.dt, self.bit, atoms.n
+            ),
+            kernel(self._second).bind(atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, half, self.bit, atoms.n),
+        )
+
+    def initial_integrate(self, sim: Simulation) -> None:
+        self._calls[0]()
+
+    def final_integrate(self, sim: Simulation) -> None:
+        self._calls[1]()

@@ -1,0 +1,40 @@
+"""fix ID GROUP setforce fx fy fz: forces are replaced (NULL leaves a component alone).
+
+vector: total force before, three components. Source: LAMMPS manual, fix_setforce.html.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pylmp.model.atoms import Floats
+from pylmp.model.fix import Fix
+from pylmp.model.forces import read_components
+from pylmp.model.registry import FIXES
+from pylmp.model.simulation import Simulation
+from pylmp.model.sums import totals
+from pylmp.text.words import Args
+
+
+@FIXES.register("setforce")
+class SetForce(Fix):
+    style = "setforce"
+    extensive_vector = True
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        super().__init__(sim, identity, group, bit, args)
+        self.force = read_components(args, ("region",), null=True)
+        self._before = np.zeros(3)
+
+    def post_force(self, sim: Simulation) -> None:
+        f = sim.atoms.f[: sim.atoms.n]
+        rows = self.members(sim)
+        self._before = totals(f[rows])
+        for d, force in enumerate(self.force):
+            if force is not None:
+                f[rows, d] = force
+
+    setup = post_force
+
+    def vector(self, sim: Simulation) -> Floats:
+        return self._before

@@ -1,0 +1,40 @@
+"""fix ID GROUP viscous gamma [scale TYPE RATIO]: a drag force, f -= gamma v.
+
+Source: LAMMPS manual, fix_viscous.html.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pylmp.model.fix import Fix
+from pylmp.model.registry import FIXES
+from pylmp.model.simulation import Simulation
+from pylmp.text.words import Args
+
+
+@FIXES.register("viscous")
+class Viscous(Fix):
+    style = "viscous"
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        super().__init__(sim, identity, group, bit, args)
+        if not len(args):
+            args.illegal(args.owner, hint="fix ID GROUP viscous gamma")
+        self.gamma = np.full(sim.atom_types + 1, args.number())
+        while len(args):
+            key = args.word()
+            if key.text != "scale" or len(args) < 2:
+                args.illegal(key, hint="scale TYPE RATIO")
+            kind, ratio = args.integer(), args.number()
+            if not 1 <= kind <= sim.atom_types:
+                args.illegal(key)
+            self.gamma[kind] *= ratio
+
+    def post_force(self, sim: Simulation) -> None:
+        atoms = sim.atoms
+        rows = self.members(sim)
+        drag = self.gamma[atoms.type[: atoms.n][rows]]
+        atoms.f[: atoms.n][rows] -= drag[:, None] * atoms.v[: atoms.n][rows]
+
+    setup = post_force
