@@ -2,28 +2,116 @@
 
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING, Any
 
+from pylmp.model.clock import Clock
+from pylmp.model.registry import COMPUTES, THERMOS
+from pylmp.text.words import Args, Word
+
 if TYPE_CHECKING:
+    from pylmp.model.compute import Compute
     from pylmp.model.simulation import Simulation
+
+# The computes LAMMPS makes for its own table: ID, style, arguments.
+DEFAULT_COMPUTES = (("thermo_temp", "temp", ()), ("thermo_press", "pressure", ("thermo_temp",)), ("thermo_pe", "pe", ()))
+
+
+def add_default_computes(sim: Simulation, computes: dict[str, Compute]) -> None:
+    """Fill computes with those that LAMMPS always has."""
+    for identity, style, arguments in DEFAULT_COMPUTES:
+        kind = COMPUTES.find(style)
+        if kind is not None:
+            args = Args(f"compute {style}", [Word(text) for text in arguments])
+            computes[identity] = kind(sim, identity, "all", 1, args)
 
 
 class Output:
-    """thermo: the table (pylmp/thermo), dumps: by ID in order of definition (pylmp/dumps)."""
+    """Schedules a run's output.
 
-    def __init__(self) -> None:
-        self.thermo: Any = None
+    dumps       by ID in order of definition (pylmp/dumps)
+    every       thermo's interval; 0: first and last step of a run only
+    first last  steps between which the run in progress goes
+    running     a run is in progress
+    started     wall clock and processor seconds when its loop began
+    """
+
+    def __init__(self, sim: Simulation) -> None:
         self.dumps: dict[str, Any] = {}
+        self.every = 0
+        self.first = self.last = 0
+        self.running = False
+        self.started = (0.0, 0.0)
+        self.clock = Clock()
+        self._sim = sim
+        self._thermo: Any = None
+        self._with_setup = True
+        self._due = -1
+        self._thermo_due = -1
+
+    @property
+    def thermo(self) -> Any:
+        """The thermo table (pylmp/thermo); style one until thermo_style says otherwise."""
+        if self._thermo is None:
+            make = THERMOS.find("one")
+            assert make is not None
+            self._thermo = make(self._sim, Args("thermo_style", []))
+        return self._thermo
+
+    @thermo.setter
+    def thermo(self, thermo: Any) -> None:
+        self._thermo = thermo
+
+    def begin(self, first: int, last: int, setup: bool) -> None:
+        """A run from step first to step last begins; its set-up, if there is one, comes next."""
+        self.first, self.last, self.running = first, last, True
+        self._with_setup = setup
+        self.clock.book(first, self._sim.dt)
+
+    def end(self) -> None:
+        """The run is over."""
+        self.running = False
+        self.clock.book(self._sim.step, self._sim.dt)
+
+    def time(self) -> float:
+        """Simulated time at the current step."""
+        return self.clock.now(self._sim.step, self._sim.dt)
 
     def init(self, sim: Simulation) -> None:
-        """Check everything that will be written."""
+        """Check everything that will be written, open files."""
+        self.thermo.init()
+        for dump in self.dumps.values():
+            dump.init(sim)
 
     def setup(self, sim: Simulation) -> None:
-        """Write what is due before the first step of a run: header and first thermo line, dump frames."""
+        """Write what is due before the first step of a run: dump frames, header, first thermo line."""
+        for dump in self.dumps.values():
+            dump.setup(sim)
+        self.thermo.begin(memory=self._with_setup)
+        self._schedule(sim)
+        sim.console.flush()
+        self.started = (time.perf_counter(), time.process_time())
 
     def write(self, sim: Simulation) -> None:
-        """Write what is due at sim.step."""
+        """Write what is due at sim.step: dump frames, then the thermo line."""
+        for dump in self.dumps.values():
+            if dump.is_due(sim.step):
+                dump.write(sim)
+        if sim.step == self._thermo_due:
+            self.thermo.line()
+        self._schedule(sim)
+
+    def _schedule(self, sim: Simulation) -> None:
+        step = sim.step
+        following = (step // self.every + 1) * self.every if self.every else self.last
+        self._thermo_due = min(following, self.last)
+        self._due = min([self._thermo_due, *(dump.next_step(step) for dump in self.dumps.values())])
+
+    def due(self, sim: Simulation) -> bool:
+        """Something is to be written at sim.step."""
+        return sim.step == self._due
 
     def next_step(self, sim: Simulation) -> int:
-        """The next step after sim.step at which something is due that needs energies and virial."""
-        return sim.end
+        """The next step after sim.step that needs energies and virial: output is due, or a fix measures."""
+        fixes = [(sim.step // fix.every + 1) * fix.every for fix in sim.fixes if getattr(fix, "needs_tally", False)]
+        return min([self._due, *fixes])

@@ -99,6 +99,7 @@ FIXES: Registry[Any] = Registry("fix style", "pylmp.fixes")
 COMPUTES: Registry[Any] = Registry("compute style", "pylmp.computes")
 DUMPS: Registry[Any] = Registry("dump style", "pylmp.dumps")
 REGIONS: Registry[Any] = Registry("region style", "pylmp.regions")
+THERMOS: Registry[Any] = Registry("thermo style", "pylmp.thermo")
 
 
 def command(name: str, *, manual: str = "", needs_box: bool = False) -> Callable[[Any], Any]:

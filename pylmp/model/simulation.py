@@ -10,7 +10,7 @@ from pylmp.model.atoms import Atoms
 from pylmp.model.box import Box
 from pylmp.model.console import Console
 from pylmp.model.groups import Groups
-from pylmp.model.output import Output
+from pylmp.model.output import Output, add_default_computes
 from pylmp.model.settings import CommSettings, NeighborSettings, SortSettings, SpecialSettings, Tally
 from pylmp.model.units import UNITS, Units
 from pylmp.text.diagnostic import ScriptError
@@ -72,8 +72,8 @@ class Simulation:
         self.regions: dict[str, Any] = {}
         self.lattice: Any = None
         self.fixes: list[Fix] = []
-        self.computes: dict[str, Compute] = {}
-        self.output = Output()
+        self._computes: dict[str, Compute] | None = None
+        self.output = Output(self)
         self.step = 0
         self.dt = self.units.dt
         self.begin = self.end = 0  # steps that ramps of the current run refer to
@@ -98,6 +98,14 @@ class Simulation:
     @box.setter
     def box(self, box: Box) -> None:
         self._box = box
+
+    @property
+    def computes(self) -> dict[str, Compute]:
+        """By ID in order of definition; those of the thermo table come first."""
+        if self._computes is None:
+            self._computes = {}
+            add_default_computes(self, self._computes)
+        return self._computes
 
     @property
     def has_box(self) -> bool:

@@ -1,0 +1,135 @@
+"""compute ID GROUP bond/local values...: a row a bond, in local atom and slot order.
+
+dist dx dy dz; engpot force fx fy fz from the bond law itself; engvib engrot engtrans omega velvib from the atoms'
+motion; b1 b2 ... what the bond style remembers (r0 and r_eq of bpm/spring/plastic).
+Source: LAMMPS manual, compute_bond_local.html.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy as np
+
+from pylmp.computes.property_local import rows_of_bonds
+from pylmp.model.atoms import Floats, Ints
+from pylmp.model.compute import Compute
+from pylmp.model.registry import COMPUTES
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.text.words import Args
+
+_VALUES = (
+    "dist", "dx", "dy", "dz", "engpot", "force", "fx", "fy", "fz", "engvib", "engrot", "engtrans", "omega", "velvib",
+)  # fmt: skip
+
+
+@COMPUTES.register("bond/local")
+class BondLocal(Compute):
+    style = "bond/local"
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        super().__init__(sim, identity, group, bit, args)
+        if not sim.has_bonds:
+            args.fail("Compute bond/local used when bonds are not allowed", args.owner, hint="atom_style bond")
+        args.need(1)
+        self.names = []
+        for word in args.rest():
+            if word.text == "set" or word.text.startswith("v_"):
+                raise Unsupported("LAMMPS has variables in compute bond/local, pylmp's native engines do not", word.span)
+            if word.text not in _VALUES and not re.fullmatch(r"b[1-9]\d*", word.text):
+                args.fail(f"Unknown compute bond/local keyword: {word.text}", word, hint=" ".join(_VALUES) + " b1 b2")
+            self.names.append(word.text)
+        self.columns = len(self.names)
+
+    def init(self, sim: Simulation) -> None:
+        if sim.bond is None:
+            raise ScriptError("No bond style is defined for compute bond/local", hint="bond_style comes first")
+        extra = [int(name[1:]) for name in self.names if name not in _VALUES]
+        if extra and max(extra) > max(part.memory for part in sim.bond.parts):
+            raise ScriptError(
+                "Bond style does not have extra field requested by compute bond/local", hint="b1 and b2 of bpm/spring/plastic"
+            )
+
+    def local(self, sim: Simulation) -> Floats:
+        """(rows,) or (rows, columns) of bonds that are on."""
+        atoms = sim.atoms
+        rows, slots, partners = rows_of_bonds(sim, self.members(sim), lambda kinds: kinds > 0)
+        d = sim.box.minimum_image(atoms.x[rows] - atoms.x[partners])
+        kinds = atoms.bond_type[rows, slots]
+        r2 = d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]
+        values: dict[str, Any] = {"dist": np.sqrt(r2), "dx": d[:, 0], "dy": d[:, 1], "dz": d[:, 2]}
+        if not set(self.names) <= set(values):
+            v = atoms.v[rows] - atoms.v[partners]
+            dot = d[:, 0] * v[:, 0] + d[:, 1] * v[:, 1] + d[:, 2] * v[:, 2]
+            memory = remembered(sim, rows, partners)
+            over_r, energy = single(sim, rows, partners, kinds, r2, dot, memory)
+            values |= {"engpot": energy, "force": values["dist"] * over_r}
+            values |= {f"f{axis}": d[:, k] * over_r for k, axis in enumerate("xyz")}
+            values |= motion(sim, rows, partners, d, values["dist"])
+            if memory.shape[1]:
+                values |= {"b1": memory[:, 0], "b2": (1.0 + memory[:, 1]) * memory[:, 0]}
+        table = np.stack([values[name] for name in self.names], axis=1)
+        return table[:, 0] if self.columns == 1 else table
+
+
+def remembered(sim: Simulation, rows: Ints, partners: Ints) -> Floats:
+    """(bonds, memory) what each bond remembers now: the bond lists know it, the atoms' slots only since the last rebuild."""
+    memory = sim.bond.memory
+    result = np.zeros((len(rows), memory))
+    if not memory or not len(rows):
+        return result
+    tag = sim.atoms.tag
+    span = int(tag[: sim.atoms.n].max()) + 1
+    for listed in sim.bond_lists:
+        bonds, history = listed.bonds[: listed.count], listed.history[: listed.count]
+        low, high = np.minimum(tag[bonds[:, 0]], tag[bonds[:, 1]]), np.maximum(tag[bonds[:, 0]], tag[bonds[:, 1]])
+        keys, first = np.unique(low * span + high, return_index=True)
+        mine = np.minimum(tag[rows], tag[partners]) * span + np.maximum(tag[rows], tag[partners])
+        at = np.minimum(np.searchsorted(keys, mine), max(len(keys) - 1, 0))
+        found = (keys[at] == mine) if len(keys) else np.zeros(len(mine), bool)
+        result[found] = history[first[at[found]]]
+    return result
+
+
+def single(
+    sim: Simulation, rows: Ints, partners: Ints, kinds: Ints, r2: Floats, dot: Floats, memory: Floats
+) -> tuple[Floats, Floats]:
+    """Force over r and energy of each bond. quartic's energy has the pair energy taken out, its force has not, as in LAMMPS."""
+    force, energy = np.zeros(len(rows)), np.zeros(len(rows))
+    for part in sim.bond.parts:
+        mine = part.mine[kinds] != 0
+        if not mine.any():
+            continue
+        history = memory[mine][:, : part.memory]
+        force[mine], energy[mine] = part.evaluate(kinds[mine], r2[mine], dot[mine], history)
+        if part.style.subtract_pair and sim.pair is not None and sim.pair.law is not None:
+            table = sim.pair.table[sim.atoms.type[rows[mine]], sim.atoms.type[partners[mine]]]
+            _, pair_energy = sim.pair.law(r2[mine], 0.0, 1.0, tuple(table.T))
+            energy[mine] = energy[mine] + -pair_energy
+    return force, energy
+
+
+def motion(sim: Simulation, rows: Ints, partners: Ints, d: Floats, dist: Floats) -> dict[str, Floats]:
+    """Kinetic energy of a bond's two atoms, split: of their center, of turning, of stretching; turning rate; stretching speed."""
+    m = sim.masses()
+    m1, m2 = m[rows], m[partners]
+    v1, v2 = sim.atoms.v[rows], sim.atoms.v[partners]
+    whole = m1 + m2
+    center = (m1[:, None] * v1 + m2[:, None] * v2) / whole[:, None]
+    with np.errstate(all="ignore"):
+        u = d / dist[:, None]
+        along = (u * (v2 - v1)).sum(axis=1)
+        reduced = m1 * m2 / whole
+        relative = v1 - v2
+        across2 = (relative * relative).sum(axis=1) - along * along
+        omega = np.sqrt(np.maximum(across2, 0.0)) / dist
+    half = 0.5 * sim.units.mvv2e
+    return {
+        "engtrans": half * whole * (center * center).sum(axis=1),
+        "engvib": half * reduced * along * along,
+        "engrot": half * reduced * across2,
+        "omega": omega,
+        "velvib": along,
+    }

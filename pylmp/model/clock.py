@@ -1,0 +1,24 @@
+"""Simulated time: the sum of all steps taken, each with the step size of its run."""
+
+from __future__ import annotations
+
+
+class Clock:
+    """LAMMPS's rule: time = (time booked last) + (steps since) * dt; where the step number was set back, time restarts at 0."""
+
+    def __init__(self) -> None:
+        self._time = 0.0
+        self._step = 0
+
+    def now(self, step: int, dt: float) -> float:
+        """Time at step; dt is the step size in force."""
+        return self._time + (step - self._step) * dt if step >= self._step else 0.0
+
+    def book(self, step: int, dt: float) -> None:
+        """Remember the time at step: at the start and end of every run, between which dt does not change."""
+        self._time = self.now(step, dt)
+        self._step = step
+
+    def set(self, step: int, time: float) -> None:
+        """reset_timestep's keyword time."""
+        self._step, self._time = step, time
