@@ -12,6 +12,7 @@ class Console:
         self.screen_file = screen
         self.log_file = log
         self.warnings = 0
+        self.limit = 100  # warnings after this many are not shown; 0: show all, below 0: none (thermo_modify warn)
 
     def both(self, text: str) -> None:
         self.screen(text)
@@ -27,6 +28,8 @@ class Console:
 
     def warning(self, message: str) -> None:
         self.warnings += 1
+        if self.limit and self.warnings > self.limit:
+            return
         self.both(f"WARNING: {message}\n")
 
     def flush(self) -> None:

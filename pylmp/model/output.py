@@ -14,7 +14,11 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 # The computes LAMMPS makes for its own table: ID, style, arguments.
-DEFAULT_COMPUTES = (("thermo_temp", "temp", ()), ("thermo_press", "pressure", ("thermo_temp",)), ("thermo_pe", "pe", ()))
+DEFAULT_COMPUTES = (
+    ("thermo_temp", "temp", ()),
+    ("thermo_press", "pressure", ("thermo_temp",)),
+    ("thermo_pe", "pe", ()),
+)
 
 
 def add_default_computes(sim: Simulation, computes: dict[str, Compute]) -> None:

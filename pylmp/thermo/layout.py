@@ -20,7 +20,10 @@ class Layout:
     def header(self, names: Sequence[str], whole: Sequence[bool]) -> str:
         """Printed once, when a run begins."""
         if self.name == "one":
-            return " ".join(f"{name:^{11 if is_whole else 14}}" for name, is_whole in zip(names, whole, strict=True)) + "\n"
+            return (
+                " ".join(f"{name:^{11 if is_whole else 14}}" for name, is_whole in zip(names, whole, strict=True))
+                + "\n"
+            )
         if self.name == "yaml":
             return "---\nkeywords: [" + "".join(f"'{name}', " for name in names) + "]\ndata:\n"
         return ""

@@ -1,0 +1,84 @@
+"""The columns of thermo_style custom that name computes, fixes and variables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from pylmp.text.words import Args, Word
+from pylmp.thermo.keywords import KEYWORDS
+from pylmp.thermo.reference import Reference, length, offers, parse
+
+if TYPE_CHECKING:
+    from pylmp.thermo.table import Thermo
+
+
+@dataclass(frozen=True)
+class Column:
+    """name: as the script says. header: above it. value: evaluates it at the current step. needs: as Keyword.needs."""
+
+    name: str
+    header: str
+    whole: bool
+    value: Callable[[Thermo], float]
+    needs: str = ""
+    reference: Reference | None = None
+
+
+def column(thermo: Thermo, args: Args, word: Word) -> Column:
+    """The column a word of thermo_style custom stands for."""
+    keyword = KEYWORDS.get(word.text)
+    if keyword is not None:
+        return Column(word.text, keyword.header, keyword.whole, keyword.value, keyword.needs)
+    found = parse(word.text)
+    if found is None or "*" in word.text:
+        args.fail(f"Unknown keyword '{word.text}' in thermo_style custom command", word, hint=_hint(word.text))
+    if found.kind == "v":
+        value = _variable(thermo, args, word, found)
+    else:
+        value = _measured(thermo, args, word, found)
+    return Column(word.text, word.text, False, value, reference=found)
+
+
+def _hint(text: str) -> str:
+    import difflib
+
+    near = difflib.get_close_matches(text.lower(), KEYWORDS, 1)
+    return f"did you mean {near[0]}?" if near else ""
+
+
+def _measured(thermo: Thermo, args: Args, word: Word, found: Reference) -> Callable[[Thermo], float]:
+    """A scalar or a vector component of a compute or fix."""
+    sim, what, name = thermo.sim, found.what, found.name
+    source = found.source(sim)
+    if source is None:
+        args.fail(f"Could not find thermo custom {what} ID: {name}", word)
+    if len(found.index) == 2:
+        args.fail(f"Thermo custom {what} {name} does not compute an array", word)
+    values = "vector" if found.index else "scalar"
+    if not offers(source, values):
+        hint = f"{word.text}[1]" if values == "scalar" and offers(source, "vector") else ""
+        args.fail(f"Thermo custom {what} {name} does not compute a {values}", word, hint=hint)
+    if not found.index:
+        return lambda t: t.measure(found, "scalar")
+    at = found.index[0]
+    size = length(sim, source, "vector")
+    if not 1 <= at <= size:
+        args.fail(f"Thermo custom {what} {name} vector is accessed out-of-range", word, hint=f"1 to {size}")
+    return lambda t: t.measure(found, "vector", at - 1)
+
+
+def _variable(thermo: Thermo, args: Args, word: Word, found: Reference) -> Callable[[Thermo], float]:
+    """An equal-style variable, or an element of a vector-style one."""
+    style = thermo.variables.style(found.name)
+    if style is None:
+        args.fail(f"Could not find thermo custom variable name: {found.name}", word)
+    if not found.index and style != "equal":
+        args.fail(f"Thermo custom variable {found.name} is not an equal-style variable", word)
+    if found.index and style != "vector":
+        args.fail(f"Thermo custom variable {found.name} is not a vector-style variable", word)
+    if not found.index:
+        return lambda t: t.variables.number(found.name)
+    at = found.index[0]
+    return lambda t: t.variables.element(found.name, at - 1)

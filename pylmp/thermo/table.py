@@ -1,0 +1,219 @@
+"""The thermo table of a run: its columns, what they are worth at a step, and the text of every line."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import Any
+
+from pylmp.io.run_log import memory_line
+from pylmp.model.atoms import Floats
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError
+from pylmp.text.printf import Format
+from pylmp.text.words import Args, Word
+from pylmp.thermo.columns import Column, column
+from pylmp.thermo.keywords import KEYWORDS
+from pylmp.thermo.layout import LAYOUTS
+from pylmp.thermo.reference import Reference, expand, offers
+from pylmp.thermo.variables import Variables
+
+_NOT_TALLIED = "Energy was not tallied on needed timestep"
+
+
+class Thermo:
+    """columns: what a line holds. layout: one, multi or yaml.
+
+    norm            extensive values are divided by the number of atoms (None: what the unit system says)
+    lost            what to do when atoms are gone: error, warn or ignore
+    formats headers by column number from 0: the user's; for_whole, for_real, for_line: the user's for all columns
+    temp press pe   IDs of the computes it reads
+    """
+
+    def __init__(self, sim: Simulation, layout: str, words: Sequence[Word], args: Args) -> None:
+        self.sim = sim
+        self.layout = LAYOUTS[layout]
+        self.norm: bool | None = None
+        self.flush = False
+        self.lost = "error"
+        self.formats: dict[int, Format] = {}
+        self.headers: dict[int, str] = {}
+        self.for_whole: Format | None = None
+        self.for_real: Format | None = None
+        self.for_line: list[Format] = []
+        self.temp, self.press, self.pe = "thermo_temp", "thermo_press", "thermo_pe"
+        self.modified = False
+        self.variables = Variables(sim)
+        self._known: dict[tuple[str, str, str], Any] = {}
+        self._known_at = -1
+        self._paces: dict[str, tuple[float, float]] = {}
+        self.columns: list[Column] = []
+        self.columns = [column(self, args, word) for word in expand(sim, args, words, "vector")]
+
+    # ---- what values are made of ----------------------------------------------------------------------------
+
+    def measure(self, found: Reference, values: str, at: int | None = None) -> float:
+        """A scalar, or component at of a vector, of a compute or fix, per atom where it is extensive and norm is on."""
+        result = self._evaluate(found.kind, found.name, values)
+        number = float(result) if at is None else (float(result[at]) if at < len(result) else 0.0)
+        extensive = getattr(found.source(self.sim), f"extensive_{values}", False)
+        return self.per_atom(number) if extensive else number
+
+    def _evaluate(self, kind: str, name: str, values: str) -> Any:
+        """Each compute is evaluated once a step, as LAMMPS does."""
+        if self._known_at != self.sim.step:
+            self._known, self._known_at = {}, self.sim.step
+        key = (kind, name, values)
+        if key not in self._known:
+            source = Reference(kind, name, ()).source(self.sim)
+            self._known[key] = getattr(source, values)(self.sim)
+        return self._known[key]
+
+    def temperature(self) -> float:
+        return float(self._evaluate("c", self.temp, "scalar"))
+
+    def pressure(self) -> float:
+        return float(self._evaluate("c", self.press, "scalar"))
+
+    def pressure_tensor(self) -> Floats:
+        """(6,) xx yy zz xy xz yz."""
+        tensor: Floats = self._evaluate("c", self.press, "vector")
+        return tensor
+
+    def potential(self) -> float:
+        """Potential energy of the whole system."""
+        return float(self._evaluate("c", self.pe, "scalar"))
+
+    def dof(self) -> float:
+        """Degrees of freedom of the temperature."""
+        return float(self.sim.computes[self.temp].dof(self.sim))  # type: ignore[attr-defined]
+
+    def per_atom(self, value: float) -> float:
+        """value over the number of atoms where norm is on."""
+        atoms = self.sim.atoms.n
+        normed = self.sim.units.norm if self.norm is None else self.norm
+        return value / atoms if normed and atoms else value
+
+    def cpu(self) -> float:
+        """Wall seconds since the loop of the run began; 0 on the line before its first step."""
+        output = self.sim.output
+        return 0.0 if self.sim.step == output.first else time.perf_counter() - float(output.started[0])
+
+    def pace(self, name: str, value: float) -> float:
+        """Growth of value per second since the last line; 0 on the first line."""
+        now = self.cpu()
+        before, then = self._paces.get(name, (value, now))
+        self._paces[name] = (value, now)
+        return (value - before) / (now - then) if now > then else 0.0
+
+    def remaining(self) -> float:
+        """Estimated seconds until the run ends."""
+        output = self.sim.output
+        done = self.sim.step - output.first
+        return self.cpu() * (output.last - self.sim.step) / done if done else 0.0
+
+    # ---- one value, for variables ---------------------------------------------------------------------------
+
+    def value(self, keyword: str) -> float:
+        """What keyword is worth now; a formula may ask for any keyword.
+
+        Raises ScriptError with LAMMPS's sentence when it is unknown or not current.
+        """
+        known = KEYWORDS.get(keyword)
+        if known is None:
+            raise ScriptError(f"Invalid thermo keyword '{keyword}' in variable formula", manual="thermo_style.html")
+        if "r" in known.needs and not self.sim.output.running:
+            raise ScriptError(f"The variable thermo keyword {keyword} cannot be used between runs")
+        uses = "".join(c.needs for c in self.columns)
+        for letter, noun in (("e", "potential energy"), ("t", "temperature"), ("p", "press")):
+            if letter in known.needs and letter not in uses and not self._measured(letter):
+                if letter == "e" and self.sim.tally.step != self.sim.step:
+                    raise ScriptError(_NOT_TALLIED, hint="use it on thermo steps")
+                raise ScriptError(
+                    f"Thermo keyword {keyword} in variable requires thermo to use/init {noun}",
+                    hint="thermo_style custom with that keyword",
+                )
+        if "e" in known.needs and self.sim.tally.step != self.sim.step:
+            raise ScriptError(_NOT_TALLIED, hint="use it on thermo steps")
+        if known.needs == "t" and not self.sim.ran and not self.sim.output.running:
+            return 0.0
+        return known.value(self)
+
+    def _measured(self, letter: str) -> bool:
+        """A column reads the compute that stands for temperature, pressure or energy."""
+        wanted = {"t": self.temp, "p": self.press, "e": self.pe}[letter]
+        return any(
+            c.reference is not None and c.reference.kind == "c" and c.reference.name == wanted for c in self.columns
+        )
+
+    # ---- lines ----------------------------------------------------------------------------------------------
+
+    def init(self) -> None:
+        """Everything the columns name is still there; values of earlier runs are forgotten."""
+        self._known = {}
+        self._paces = {}
+        for entry in self.columns:
+            found = entry.reference
+            if found is None:
+                continue
+            if found.kind == "v" and self.variables.style(found.name) is None:
+                raise ScriptError(f"Could not find thermo variable {found.name}")
+            if found.kind != "v" and found.source(self.sim) is None:
+                raise ScriptError(f"Could not find thermo {found.what} with ID {found.name}")
+        if self.for_line and len(self.for_line) < len(self.columns):
+            raise ScriptError(
+                f"Thermo_modify format line is too short: {' '.join(f.text for f in self.for_line)}",
+                hint=f"{len(self.columns)} columns",
+            )
+
+    def begin(self, memory: bool) -> None:
+        """Header and first line of a run. memory: the run has a set-up, after which LAMMPS says how much memory it uses."""
+        if memory:
+            self.sim.console.both(memory_line(self.sim))
+        whole = [entry.whole for entry in self.columns]
+        self.sim.console.both(self.layout.header(self.names, whole))
+        self.line()
+
+    def line(self) -> None:
+        """Write the line of the current step."""
+        self._known = {}
+        self._check_lost()
+        cells = [self._format(k)(entry.value(self)) for k, entry in enumerate(self.columns)]
+        self.sim.console.both(self.layout.row(self.names, cells, self.sim.step, self.cpu()))
+        if self.flush:
+            self.sim.console.flush()
+
+    def end(self) -> None:
+        """What follows the last line of a run."""
+        if self.layout.footer:
+            self.sim.console.both(self.layout.footer)
+
+    @property
+    def names(self) -> list[str]:
+        return [self.headers.get(k, entry.header) for k, entry in enumerate(self.columns)]
+
+    def _format(self, k: int) -> Format:
+        """The user's format of this column, else of its kind, else of the whole line, else the layout's."""
+        whole = self.columns[k].whole
+        own = self.formats.get(k) or (self.for_whole if whole else self.for_real)
+        if own is None and self.for_line:
+            own = self.for_line[k]
+        return own or Format(self.layout.whole if whole else self.layout.real)
+
+    def _check_lost(self) -> None:
+        sim = self.sim
+        if sim.atoms.n == sim.natoms or self.lost == "ignore":
+            return
+        text = f"Lost atoms: original {sim.natoms} current {sim.atoms.n}"
+        if self.lost == "error":
+            raise ScriptError(
+                text, hint="a smaller timestep, softer coefficients or other boundaries; thermo_modify lost ignore goes on",
+                manual="Errors_details.html#err0008",
+            )  # fmt: skip
+        sim.console.warning(text)
+        sim.natoms = sim.atoms.n
+
+
+def settable(sim: Simulation, identity: str, values: str = "scalar") -> bool:
+    """There is a compute identity with such values."""
+    return identity in sim.computes and offers(sim.computes[identity], values)
