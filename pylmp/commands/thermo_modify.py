@@ -153,8 +153,10 @@ def _format(sim: Simulation, thermo: Thermo, args: Args) -> None:
 
 def _read(args: Args, word: Word, text: str) -> Format:
     try:
-        return Format(text)
+        result = Format(text)
     except ValueError:
+        result = None
+    if result is None or result.words:
         args.fail(
             f"Invalid thermo_modify format argument: {text}", word, hint='one number a format, for example "%12.6g"'
         )

@@ -7,7 +7,8 @@ Every complaint of the project is a `Diagnostic`. Code that finds something wron
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 from pylmp.text.span import Span
 
@@ -42,6 +43,12 @@ class ScriptError(Exception):
     ) -> None:
         super().__init__(message)
         self.diagnostic = Diagnostic(message, span, hint, code, manual)
+
+    def at(self, span: Span | None) -> Self:
+        """This error, placed at span unless it has a place already."""
+        if self.diagnostic.span is None:
+            self.diagnostic = replace(self.diagnostic, span=span)
+        return self
 
 
 class Unsupported(ScriptError):

@@ -8,20 +8,20 @@ from __future__ import annotations
 import math
 import re
 
-_CONVERSION = re.compile(r"%%|%([-+ #0]*)(\d*)(\.\d*)?(?:hh|h|ll|l|j|z|t|L|q)?([diouxXeEfFgG])")
+_CONVERSION = re.compile(r"%%|%([-+ #0]*)(\d*)(\.\d*)?(?:hh|h|ll|l|j|z|t|L|q)?([diouxXeEfFgGs])")
 _WHOLE = "diouxX"
 
 
 class Format:
     """One conversion with text around it, e.g. ``%-8.3f|``.
 
-    whole  the conversion is one for integers
-    Raises ValueError if text holds more than one conversion or one that does not take a number.
+    whole, words  the conversion is one for integers, for strings
+    Raises ValueError if text holds more than one conversion, or one that is none of C's for numbers and strings.
     """
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.whole = False
+        self.whole = self.words = False
         count = 0
 
         def translate(found: re.Match[str]) -> str:
@@ -29,7 +29,7 @@ class Format:
             if found[0] == "%%":
                 return "%%"
             count += 1
-            self.whole = found[4] in _WHOLE
+            self.whole, self.words = found[4] in _WHOLE, found[4] == "s"
             return f"%{found[1]}{found[2]}{found[3] or ''}{found[4]}"
 
         self.python = _CONVERSION.sub(translate, text)
@@ -38,10 +38,12 @@ class Format:
         if count == 0:
             self.python += "%.0s"
 
-    def __call__(self, value: float) -> str:
+    def __call__(self, value: float | str) -> str:
+        if isinstance(value, str):
+            return self.python % value
         if self.whole:
             value = int(value) if math.isfinite(value) else 0
         text: str = self.python % value
-        if value != value and math.copysign(1.0, value) < 0.0:
+        if math.isnan(value) and math.copysign(1.0, value) < 0.0:
             return text.replace("nan", "-nan").replace("NAN", "-NAN")
         return text

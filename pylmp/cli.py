@@ -1,0 +1,177 @@
+"""The door: `pylmp in.script` as `lmp -in in.script`, and `pylmp diff`.
+
+Exit codes: 0 done, the script's own with quit, 1 the script or the run is wrong, 2 wrong usage, 4 diff found a difference,
+5 LAMMPS has it and pylmp does not, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TextIO
+
+from pylmp import __version__
+from pylmp.text.diagnostic import ScriptError, Unsupported, render
+
+OK, WRONG, USAGE, UNSUPPORTED, INTERRUPTED = 0, 1, 2, 5, 130
+BANNER = "LAMMPS (22 Jul 2025 - Update 4)"  # what log readers look for: the release whose numbers these are
+ENGINES = ("auto", "exact", "lammps")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Entry point; returns the exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if words[:1] == ["diff"]:
+        from pylmp.tools.diff import main as diff
+
+        return diff(words[1:])
+    if words[:1] == ["run"]:
+        words = words[1:]
+    try:
+        options = _parser().parse_args(words)
+    except SystemExit as leave:
+        return int(leave.code or 0)
+    _script_after_var(options)
+    return Session(options).run()
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="pylmp", allow_abbrev=False,
+        description="Run a LAMMPS input script. `pylmp diff SCRIPT` compares a run with real LAMMPS.",
+        epilog="Switches are those of lmp. Put the script first: -var takes all words up to the next switch.",
+    )  # fmt: skip
+    add = parser.add_argument
+    add("script", nargs="?", help="input script; standard input if there is none")
+    add("-in", "-i", dest="input", metavar="FILE", help="input script, as lmp takes it")
+    add("-var", "-v", nargs="+", action="append", default=[], metavar="WORD", help="NAME VALUE...: an index variable")
+    add("-log", "-l", default="log.lammps", metavar="FILE", help="log file, or none (default: log.lammps)")
+    add("-screen", "-sc", metavar="FILE", help="screen output to a file, or none")
+    add("-echo", "-e", default="log", choices=("none", "screen", "log", "both"), help="where commands are repeated")
+    add("-skiprun", "-sr", action="store_true", help="set up every run, make no steps")
+    add("-nocite", "-nc", action="store_true", help="accepted: nothing is cited anyway")
+    add("-suffix", "-sf", nargs="+", metavar="STYLE", help="accepted, without effect: styles have one implementation here")
+    add("-package", "-pk", nargs="+", metavar="WORD", help="accepted, without effect")
+    add("--strict", action="store_true", help="accept exactly what LAMMPS 22 Jul 2025 accepts")
+    add("--engine", default="auto", choices=ENGINES, help="who carries out the runs")
+    add("--allow", action="append", default=[], choices=("write",), help="let the script write outside the working directory")
+    add("--version", action="version", version=f"pylmp {__version__}")
+    return parser
+
+
+def _script_after_var(options: argparse.Namespace) -> None:
+    """`-var x 300 in.script` swallows the script: an existing file at the end of the last -var is taken back."""
+    if options.script is None and options.input is None and options.var:
+        last = options.var[-1]
+        if len(last) > 2 and Path(last[-1]).is_file():
+            options.script = last.pop()
+            print(f"pylmp: taking {options.script} as the script; put it first to be clear", file=sys.stderr)
+
+
+class Session:
+    """One run of a script from the command line: streams, interpreter, exit code."""
+
+    def __init__(self, options: argparse.Namespace) -> None:
+        self.options = options
+        self.started = time.monotonic()
+
+    def run(self) -> int:
+        options = self.options
+        path = options.script or options.input
+        if options.engine == "lammps":
+            return self._on_lammps(path)
+        from pylmp.engines.exact import Exact
+        from pylmp.interpreter import Interpreter, read_script
+        from pylmp.model.console import Console
+        from pylmp.model.simulation import Simulation
+
+        console = Console(self._open(options.screen, sys.stdout), self._open(options.log, None))
+        sim = Simulation(console, Exact())
+        sim.strict, sim.skip_run = options.strict, options.skiprun
+        interpreter = Interpreter(sim, options.allow)
+        interpreter.echo = options.echo
+        console.both(f"{BANNER}\n  using 1 OpenMP thread(s) per MPI task\n")
+        if options.suffix or options.package:
+            console.both("-sf and -pk are accepted and change nothing: each style has one implementation here\n")
+        try:
+            for name, *values in options.var:
+                interpreter.variables.set_index(name, values)
+            text = read_script(Path(path)) if path else sys.stdin.read()
+            interpreter.run(text, str(path or "<stdin>"))
+            code = OK
+        except BaseException as error:
+            code = self._explain(error, interpreter)
+        finally:
+            for dump in sim.output.dumps.values():
+                dump.close()
+        if code == OK:
+            seconds = int(time.monotonic() - self.started)
+            console.both(f"Total wall time: {seconds // 3600}:{seconds // 60 % 60:02d}:{seconds % 60:02d}\n")
+        self._close(console)
+        return code
+
+    def _explain(self, error: BaseException, interpreter) -> int:  # type: ignore[no-untyped-def]
+        """Say what ended the script; the exit code."""
+        from pylmp.text.leave import Quit
+
+        console = interpreter.sim.console
+        if isinstance(error, Quit):
+            return error.code
+        if isinstance(error, ScriptError):
+            console.both(render(error.diagnostic, interpreter.source) + "\n")
+            return UNSUPPORTED if isinstance(error, Unsupported) else WRONG
+        if isinstance(error, KeyboardInterrupt):
+            console.both(f"Interrupted at step {interpreter.sim.step}; what was computed is in the files\n")
+            return INTERRUPTED
+        if isinstance(error, BrokenPipeError):
+            sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+            return WRONG
+        if os.environ.get("PYLMP_DEBUG") or isinstance(error, SystemExit):
+            raise error
+        console.both(
+            f"ERROR: pylmp itself failed ({type(error).__name__}: {error})\n"
+            "  hint: please report this with the script; PYLMP_DEBUG=1 shows where\n"
+        )
+        return WRONG
+
+    @staticmethod
+    def _open(name: str | None, default: TextIO | None) -> TextIO | None:
+        if name is None:
+            return default
+        if name == "none":
+            return None
+        try:
+            return open(name, "w")  # noqa: SIM115
+        except OSError as error:
+            print(f"ERROR: Cannot open {name}: {error.strerror}", file=sys.stderr)
+            return default
+
+    @staticmethod
+    def _close(console) -> None:  # type: ignore[no-untyped-def]
+        with contextlib.suppress(BrokenPipeError):
+            console.flush()
+        if console.log_file is not None:
+            console.log_file.close()
+
+    def _on_lammps(self, path: str | None) -> int:
+        """The script, unchanged, on real LAMMPS."""
+        from pylmp.engines import lammps
+
+        options = self.options
+        switches = [w for names in options.var for w in ("-var", *names)]
+        switches += ["-log", options.log, "-echo", options.echo]
+        switches += ["-screen", options.screen] if options.screen else []
+        switches += ["-nocite"] if options.nocite else []
+        switches += ["-skiprun"] if options.skiprun else []
+        try:
+            if path is None:
+                raise ScriptError("--engine lammps needs a script file")
+            return lammps.run(path, Path.cwd(), switches, capture=False).returncode
+        except ScriptError as error:
+            print(render(error.diagnostic), file=sys.stderr)
+            return WRONG

@@ -1,0 +1,114 @@
+"""The grammar files, read by Lark: one table for lines, one for formulas, one for each command on first use."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import cache, lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from lark import Lark, Token, UnexpectedInput
+from lark.lexer import Lexer
+
+from pylmp.text.words import Word
+
+
+class Rejection(NamedTuple):
+    """A line of the wrong shape: the word that does not fit (None: the line ends too early), and what would."""
+
+    at: int | None
+    expected: tuple[str, ...]
+
+
+def folder() -> Path:
+    """Where the grammar files are: inside an installed package, or at the top of a checkout."""
+    package = Path(__file__).parents[1]
+    inside = package / "grammar"
+    return inside if inside.is_dir() else package.parent / "grammar"
+
+
+@cache
+def _page(name: str) -> str:
+    return (folder() / f"{name}.lark").read_text()
+
+
+@cache
+def line_table() -> Lark:
+    return Lark(_page("line"), start="line", parser="lalr", propagate_positions=True)
+
+
+@cache
+def rules() -> tuple[str, ...]:
+    """The commands of the page."""
+    heads = re.findall(r'^(\w+):\s+"(\w+)"', _page("commands"), re.M)
+    return tuple(rule for rule, word in heads if rule == word)
+
+
+class _NoLexer(Lexer):
+    """Words come from the line reader; the parser is fed with them."""
+
+    def __init__(self, conf: Any) -> None:
+        pass
+
+    def lex(self, data: Any) -> Iterator[Token]:
+        return iter(())
+
+
+class Shape:
+    """The LALR table of one command, and which terminal a word is in each of its states."""
+
+    def __init__(self, name: str) -> None:
+        self._lark = Lark(
+            _page("commands"), start=name, parser="lalr", lexer=_NoLexer, import_paths=[str(folder())], source_path=str(folder() / "commands.lark"),
+        )  # fmt: skip
+        fixed = {t.pattern.value: t.name for t in self._lark.terminals if t.pattern.type == "str"}
+        loose = sorted((t for t in self._lark.terminals if t.pattern.type == "re"), key=lambda t: -t.priority)
+        self._fixed: dict[str, str] = fixed
+        self._loose = [(t.name, re.compile(t.pattern.to_regexp())) for t in loose]
+        self._names = {t.name: t.pattern.value if t.pattern.type == "str" else t.name.lower() for t in loose} | {
+            name: text for text, name in fixed.items()
+        }
+
+    def check(self, texts: Sequence[str]) -> Rejection | None:
+        """Nothing if the words have the command's shape."""
+        parser = self._lark.parse_interactive()
+        for at, text in enumerate(texts):
+            choices = parser.choices()
+            terminal = self._terminal(text, choices)
+            if terminal is None:
+                return Rejection(at, self._expected(choices))
+            try:
+                parser.feed_token(Token(terminal, text))
+            except UnexpectedInput:
+                return Rejection(at, self._expected(choices))
+        choices = parser.choices()
+        try:
+            parser.feed_eof()
+        except UnexpectedInput:
+            return Rejection(None, self._expected(choices))
+        return None
+
+    def _terminal(self, text: str, choices: dict[str, Any]) -> str | None:
+        fixed = self._fixed.get(text)
+        if fixed in choices:
+            return fixed
+        return next((name for name, pattern in self._loose if name in choices and pattern.fullmatch(text)), None)
+
+    def _expected(self, choices: dict[str, Any]) -> tuple[str, ...]:
+        return tuple(sorted(self._names[name] for name in choices if name in self._names))
+
+
+@cache
+def shape(name: str) -> Shape:
+    return Shape(name)
+
+
+@lru_cache(8192)
+def _checked(texts: tuple[str, ...]) -> Rejection | None:
+    return shape(texts[0]).check(texts)
+
+
+def check(words: Sequence[Word]) -> Rejection | None:
+    """Whether the words of a command, its name first, have the shape that the page gives it."""
+    return _checked(tuple(word.text for word in words))

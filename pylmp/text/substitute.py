@@ -1,0 +1,139 @@
+"""Quotes, comments and ``$`` of one logical line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import lru_cache
+from typing import NamedTuple
+
+from lark import Token, UnexpectedInput
+
+from pylmp.text.diagnostic import ScriptError
+from pylmp.text.grammar import line_table
+from pylmp.text.lines import Place, Text
+from pylmp.text.words import Word
+
+_SPECIAL = re.compile("[#\"'$]")
+_WORD = re.compile(r'"""((?s:.)*?)"""|"(?!"")([^"]*)"|\'([^\']*)\'|(\S+)')
+_QUOTES = {"'": "single", '"': "double", '"""': "triple"}
+
+
+class Piece(NamedTuple):
+    """A stretch of a line; key is the variable's name, or the formula of an immediate one, or empty for plain text."""
+
+    start: int
+    stop: int
+    key: str = ""
+    immediate: bool = False
+
+
+Lookup = Callable[[str, bool], str]
+
+
+def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = None) -> Text:
+    """The line without its comment, every ``$`` outside quotes replaced by lookup(name or formula, immediate).
+
+    echo receives the line as it stands after each replacement, as LAMMPS prints it.
+    """
+    if not _SPECIAL.search(line.text):
+        return line
+    pieces = _pieces(line)
+    if len(pieces) == 1 and not pieces[0].key and pieces[0].stop == len(line.text):
+        return line
+    end = pieces[-1].stop if pieces else 0
+    out, starts, places = "", [], []
+    for piece in pieces:
+        if piece.key:
+            try:
+                value = lookup(piece.key, piece.immediate)
+            except ScriptError as error:
+                raise error.at(line.span(piece.start, piece.stop)) from None
+            span = line.span(piece.start, piece.stop)
+            starts.append(len(out))
+            places.append(Place(span.line, span.column, span.length))
+            out += value
+            if echo:
+                echo(out + line.text[piece.stop : end])
+        else:
+            cuts = [piece.start, *(s for s in line.starts if piece.start < s < piece.stop)]
+            for cut in cuts:
+                place, column = line._at(cut)
+                starts.append(len(out) + cut - piece.start)
+                places.append(Place(place.row, column, place.width))
+            out += line.text[piece.start : piece.stop]
+    return Text(line.file, out, tuple(starts) or (0,), tuple(places) or line.places[:1])
+
+
+def _pieces(line: Text) -> tuple[Piece, ...]:
+    try:
+        return _read(line.text)
+    except UnexpectedInput as error:
+        at = error.pos_in_stream
+        if at is None or at < 0 or at >= len(line.text):
+            at = _opening(line.text)
+        _complain(line, at)
+
+
+@lru_cache(4096)
+def _read(text: str) -> tuple[Piece, ...]:
+    pieces: list[Piece] = []
+    for node in line_table().parse(text).children:
+        if isinstance(node, Token):
+            if node.type == "COMMENT":
+                break
+            start, stop = node.start_pos or 0, node.end_pos or 0
+            if pieces and not pieces[-1].key:
+                pieces[-1] = Piece(pieces[-1].start, stop)
+            else:
+                pieces.append(Piece(start, stop))
+            continue
+        start, stop = node.meta.start_pos, node.meta.end_pos
+        kind = node.data
+        key = text[start + 2 : stop - 1] if kind != "letter" else text[start + 1 : stop]
+        pieces.append(Piece(start, stop, key, kind == "immediate"))
+    return tuple(pieces)
+
+
+def _opening(text: str) -> int:
+    """Where the variable begins that the end of the line left open."""
+    return max(text.rfind("${"), text.rfind("$("), 0)
+
+
+def _complain(line: Text, at: int) -> None:
+    text = line.text
+    span = line.span(at, at + 1)
+    quote = '"""' if text.startswith('"""', at) else text[at]
+    if quote in _QUOTES:
+        raise ScriptError(f"Unmatched {_QUOTES[quote]} quote in command", span, hint=f"a second {quote} ends the text")
+    begin = _opening(text[: at + 1]) if not text.startswith("$", at) else at
+    span = line.span(begin, max(begin + 2, at))
+    if text.startswith("$(", begin):
+        raise ScriptError("Invalid immediate variable", span, hint="a closing )")
+    raise ScriptError(f"Invalid variable name {text[begin + 2 :]}", span, hint="${name} or $x")
+
+
+def split(line: Text) -> list[Word]:
+    """The words of a line whose variables are replaced."""
+    words: list[Word] = []
+    text, at = line.text, 0
+    while True:
+        while at < len(text) and text[at].isspace():
+            at += 1
+        if at == len(text):
+            return words
+        found = _WORD.match(text, at)
+        assert found is not None
+        stop = found.end()
+        if found[4] is None:
+            if stop < len(text) and not text[stop].isspace():
+                raise ScriptError(
+                    "Input line quote not followed by white-space", line.span(stop - 1, stop), hint="a blank after the quote"
+                )
+            words.append(Word(text[found.start(found.lastindex or 0) : found.end(found.lastindex or 0)], line.span(at, stop), True))
+        else:
+            if text[at] in _QUOTES:
+                quote = '"""' if text.startswith('"""', at) else text[at]
+                raise ScriptError(f"Unmatched {_QUOTES[quote]} quote in command", line.span(at, at + 1))
+            words.append(Word(found[4], line.span(at, stop)))
+        at = stop

@@ -1,0 +1,168 @@
+"""Variables: names with values, and the rules by which they are defined, advanced and read.
+
+Source: LAMMPS manual, variable.html and next.html; rules as measured on LAMMPS 22 Jul 2025.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.text.formula import FormulaError, Scope, evaluate
+from pylmp.text.printf import Format
+from pylmp.text.words import Args
+
+_ELSEWHERE = (
+    "world", "universe", "uloop", "getenv", "file", "atomfile", "format", "python", "timer", "internal", "atom", "vector",
+)  # fmt: skip
+_ADVANCING = ("index", "loop")
+_DEEPEST = 100  # variables that refer to variables
+
+
+@dataclass
+class Variable:
+    """values: index: its strings; loop: nothing, first..last are numbers; string and equal: one text."""
+
+    style: str
+    values: list[str] = field(default_factory=list)
+    at: int = 0
+    first: int = 1
+    last: int = 1
+    width: int = 0
+
+    def text(self) -> str:
+        """The current value of index, loop and string variables."""
+        if self.style == "loop":
+            return str(self.first + self.at).zfill(self.width)
+        return self.values[self.at]
+
+
+class Variables:
+    """All variables of a session; they outlive clear."""
+
+    def __init__(self) -> None:
+        self.known: dict[str, Variable] = {}
+        self._depth = 0
+
+    def define(self, args: Args) -> None:
+        """The variable command."""
+        if len(args) < 2:
+            args.missing()
+        name, style = args.word(), args.word()
+        if style.text == "delete":
+            if len(args):
+                args.fail(f"Illegal variable command: expected 2 arguments but found {2 + len(args)}", args.peek())
+            self.known.pop(name.text, None)
+            return
+        if not re.fullmatch(r"\w+", name.text, re.ASCII):
+            args.fail(f"Variable name '{name.text}' must have only letters, numbers, or underscores", name)
+        if style.text in _ELSEWHERE:
+            raise Unsupported(
+                f"LAMMPS has variable style {style.text}, pylmp's native engines do not", style.span, manual="variable.html"
+            )
+        if style.text not in (*_ADVANCING, "string", "equal"):
+            args.fail(f"Unknown variable style: {style.text}", style, hint="index loop string equal delete")
+        if not len(args):
+            args.fail(f"Illegal variable {style.text} command: missing argument(s)", style)
+        before = self.known.get(name.text)
+        if style.text in _ADVANCING:
+            if before is None:
+                self.known[name.text] = self._loop(args) if style.text == "loop" else self._index(args)
+            return
+        if len(args) != 1:
+            args.fail(f"Illegal variable command: expected 3 arguments but found {2 + len(args)}", args.words[args.at + 1])
+        if before is not None and before.style != style.text:
+            args.fail(f"Cannot redefine variable {name.text} as a different style", name, hint=f"variable {name.text} delete first")
+        self.known[name.text] = Variable(style.text, [args.word().text])
+
+    def set_index(self, name: str, values: list[str]) -> None:
+        """-var on the command line."""
+        self.known.setdefault(name, Variable("index", values))
+
+    @staticmethod
+    def _index(args: Args) -> Variable:
+        return Variable("index", [word.text for word in args.rest()])
+
+    @staticmethod
+    def _loop(args: Args) -> Variable:
+        words = args.rest()
+        pad = words[-1].text == "pad"
+        numbers = words[:-1] if pad else words
+        if not 1 <= len(numbers) <= 2:
+            args.fail("Illegal variable loop command: too many arguments", words[-1])
+        values = [args.as_integer(word) for word in numbers]
+        first, last = (1, values[0]) if len(values) == 1 else (values[0], values[1])
+        if len(values) == 1 and last <= 0:
+            args.fail(f"Invalid variable loop argument: {last}", numbers[0], hint="a positive number")
+        if first > last:
+            args.fail(f"Illegal variable loop command: {first} > {last}", numbers[0])
+        if first < 0:
+            args.fail(f"Illegal variable loop command: {first}", numbers[0])
+        return Variable("loop", first=first, last=last, width=len(str(last)) if pad else 0)
+
+    def advance(self, args: Args) -> bool:
+        """The next command; True when the values are used up: the variables are gone, and a jump is to be skipped."""
+        args.need(1)
+        words = args.rest()
+        for word in words:
+            variable = self.known.get(word.text)
+            if variable is None:
+                args.fail(f"Invalid variable '{word.text}' in next command", word)
+            if variable.style not in _ADVANCING:
+                args.fail("Invalid variable style with next command", word, hint="index and loop variables advance")
+        if len({self.known[word.text].style for word in words}) > 1:
+            args.fail("All variables in next command must have same style", words[0])
+        done = False
+        for word in words:
+            variable = self.known[word.text]
+            variable.at += 1
+            size = len(variable.values) if variable.style == "index" else variable.last - variable.first + 1
+            if variable.at >= size:
+                done = True
+        if done:
+            for word in words:
+                del self.known[word.text]
+        return done
+
+    def text(self, name: str, scope: Scope) -> str | None:
+        """What ``${name}`` becomes; None if there is no such variable."""
+        variable = self.known.get(name)
+        if variable is None:
+            return None
+        if variable.style == "equal":
+            return f"{self.number(name, scope):.15g}"
+        return variable.text()
+
+    def number(self, name: str, scope: Scope) -> float:
+        """What ``v_name`` is worth in a formula. Raises ScriptError."""
+        variable = self.known[name]
+        if variable.style != "equal":
+            try:
+                return float(variable.text())
+            except ValueError:
+                raise ScriptError(f"Variable {name}: Invalid variable style in variable formula") from None
+        self._depth += 1
+        if self._depth > _DEEPEST:
+            self._depth = 0
+            raise ScriptError(f"Variable {name}: has a circular dependency")
+        try:
+            return evaluate(variable.values[0], scope)
+        except FormulaError as error:
+            raise ScriptError(f"Variable {name}: {error}", manual="variable.html") from None
+        finally:
+            self._depth = max(self._depth - 1, 0)
+
+
+def immediate(text: str, scope: Scope) -> str:
+    """``$(formula)`` or ``$(formula:%format)``. Raises ScriptError."""
+    formula, format_ = text, "%.20g"
+    colon = text.rfind(":%")
+    if colon >= 0:
+        formula, format_ = text[:colon], text[colon + 1 :]
+        if not re.fullmatch(r"%[-+ #0]*\d*\.\d+[eEfFgG]", format_):
+            raise ScriptError("Incorrect conversion in format string", hint="a precision, as in %.3f")
+    try:
+        return Format(format_)(evaluate(formula, scope))
+    except FormulaError as error:
+        raise ScriptError(f"Variable {{}}: {error}".replace("{}", "immediate"), manual="variable.html") from None
