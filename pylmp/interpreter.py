@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-
-from lark import Token, UnexpectedInput
+from typing import NoReturn
 
 from pylmp.model.registry import COMMANDS
 from pylmp.model.simulation import Simulation
 from pylmp.references import Scope
-from pylmp.text.diagnostic import Diagnostic, ScriptError, Unsupported
-from pylmp.text.grammar import command_names, command_parser
-from pylmp.text.lines import Line, logical_lines
+from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.text.grammar import Rejection, check, rules
+from pylmp.text.lines import Text, as_ascii, decode, logical_lines, plain
 from pylmp.text.span import Span
-from pylmp.text.substitute import substituted, without_comment
+from pylmp.text.substitute import split, substitute
 from pylmp.text.variables import Variables, immediate
 from pylmp.text.words import Args, Word
 
-_FIRST = re.compile(r"\s*(\S+)")
 _DEEPEST = 16  # files that include files
 
 
@@ -29,7 +26,7 @@ class Script:
     """A file being executed: its logical lines, the next one, where its labels are."""
 
     name: str
-    lines: list[Line]
+    lines: list[Text]
     at: int = 0
     labels: dict[str, int] = field(default_factory=dict)
 
@@ -58,6 +55,7 @@ class Interpreter:
         self._stack: list[Script] = []
         self._sources: dict[str, list[str]] = {}
         self._skip_jump = False
+        self._warned = False
 
     # ---- files and flow -------------------------------------------------------------------------------------
 
@@ -71,7 +69,7 @@ class Interpreter:
 
     def _script(self, text: str, name: str) -> Script:
         self._sources[name] = text.split("\n")
-        return Script(name, list(logical_lines(text, name)))
+        return Script(name, logical_lines(text, name))
 
     def _enter(self, script: Script) -> None:
         if len(self._stack) >= _DEEPEST:
@@ -114,60 +112,59 @@ class Interpreter:
     # ---- one line -------------------------------------------------------------------------------------------
 
     def execute(self, text: str, span: Span | None = None) -> None:
-        """Execute one command given as text; its words stand where span is."""
-        origin = (span.line, span.column, span.length) if span else (1, 1, None)
-        name = span.file if span else "<command>"
-        self.execute_line(Line(name, text, [0], [origin]))
+        """Execute one command given as text that stands at span."""
+        self.execute_line(plain(text, span))
 
-    def execute_line(self, line: Line) -> None:
-        """Echo, substitute, parse, carry out."""
+    def execute_line(self, line: Text) -> None:
+        """Echo, substitute, split, check the shape, carry out."""
         self._echo(line.text)
-        line = self.substitute(without_comment(line), echo=True)
-        first = _FIRST.match(line.text)
-        if first is None:
+        if not line.text.isascii():
+            line = self._as_ascii(line)
+        line = substitute(line, self._lookup, self._echo)
+        words = split(line)
+        if not words:
             return
-        owner = Word(first[1], line.span(first.start(1), len(first[1])))
-        command = COMMANDS.find(owner.text) if owner.text in command_names() else None
+        owner = words[0]
+        command = COMMANDS.find(owner.text) if owner.text in rules() else None
         if command is None:
             self._unknown(line, owner)
-        elif command.needs_box and not self.sim.has_box:
+        if command.needs_box and not self.sim.has_box:
             raise ScriptError(
                 f"{command.name.capitalize()} command before simulation box is defined", owner.span,
                 hint="create_box or read_data comes first", manual=command.manual,
             )  # fmt: skip
-        else:
-            args = Args(command.name, words(line, owner.text), owner, command.manual)
-            try:
-                command.run(self.sim, args)
-            except ScriptError as error:
-                raise placed(error, owner) from None
-
-    def substitute(self, line: Line, echo: bool = False) -> Line:
-        """All references replaced; the log shows each step, as LAMMPS's does."""
-        for line in substituted(line, self._lookup):
-            if echo:
-                self._echo(line.text)
-        return line
+        rejection = check(words)
+        args = Args(command.name, words[1:], owner, command.manual)
+        try:
+            command.run(self.sim, args)  # of a line with the wrong shape it says what LAMMPS says
+        except ScriptError as error:
+            raise error.at(owner.span) from None
+        if rejection is not None:
+            complain(rejection, args)
 
     def substitute_text(self, word: Word) -> str:
         """The text of a word with its references replaced: what print and if do with quoted words."""
-        span = word.span or Span("<command>", 1, 1)
-        return self.substitute(Line(span.file, word.text, [0], [(span.line, span.column, span.length)])).text
+        return substitute(plain(word.text, inside(word)), self._lookup, start="inner").text
 
-    def _lookup(self, kind: str, inner: str, span: Span) -> str:
-        try:
-            if kind == "immediate":
-                return immediate(inner, self.scope)
-            value = self.variables.text(inner, self.scope)
-        except ScriptError as error:
-            raise placed(error, Word(inner, span)) from None
+    def _lookup(self, key: str, is_formula: bool) -> str:
+        if is_formula:
+            return immediate(key, self.scope)
+        value = self.variables.text(key, self.scope)
         if value is None:
             known = " ".join(self.variables.known)
             raise ScriptError(
-                f"Substitution for illegal variable {inner}", span,
-                hint=f"variables: {known}" if known else "no variable is defined", manual="variable.html",
+                f"Substitution for illegal variable {key}", manual="variable.html",
+                hint=f"variables: {known}" if known else "no variable is defined",
             )  # fmt: skip
         return value
+
+    def _as_ascii(self, line: Text) -> Text:
+        if not self._warned:
+            self._warned = True
+            self.sim.console.warning(
+                "Detected non-ASCII characters in input. Will try to continue by replacing with ASCII equivalents where known."
+            )
+        return as_ascii(line)
 
     def _echo(self, text: str) -> None:
         if self.echo in ("log", "both"):
@@ -175,7 +172,7 @@ class Interpreter:
         if self.echo in ("screen", "both"):
             self.sim.console.screen(text + "\n")
 
-    def _unknown(self, line: Line, owner: Word) -> None:
+    def _unknown(self, line: Text, owner: Word) -> NoReturn:
         if owner.text in ELSEWHERE:
             raise Unsupported(
                 f"LAMMPS has the command {owner.text}, pylmp's native engines do not", owner.span,
@@ -204,38 +201,28 @@ def read_script(path: Path, span: Span | None = None) -> str:
         data = path.read_bytes()
     except OSError as error:
         raise ScriptError(f"Cannot open input script {path}: {error.strerror}", span, hint="the path is relative to the working directory") from None
-    if b"\0" in data or data.startswith((b"{\\rtf", b"%PDF", b"\xff\xfe", b"PK")):
-        raise ScriptError(f"Input script {path} is not a text file", span, hint="save it as plain text (UTF-8)")
-    try:
-        return data.decode()
-    except UnicodeDecodeError:
-        return data.decode("latin-1")
+    return decode(data, str(path))
 
 
-def words(line: Line, name: str) -> list[Word]:
-    """The words after the command's name, quotes removed, by the command's own rule. Raises ScriptError."""
-    try:
-        tree = command_parser(name).parse(line.text)
-    except UnexpectedInput as error:
-        at = error.pos_in_stream if error.pos_in_stream is not None else 0
-        raise ScriptError(
-            f"Illegal {name} command", line.span(max(at, 0), 1), hint="a quoted word ends at its closing quote", manual=f"{name}.html"
-        ) from None
-    found = []
-    for token in tree.scan_values(lambda value: isinstance(value, Token)):
-        start, text = token.start_pos or 0, str(token)
-        quotes = 3 if text.startswith('"""') else 1 if token.type == "QUOTED" else 0
-        inner = text[quotes : len(text) - quotes]
-        found.append(Word(inner, line.span(start + quotes, max(1, len(inner))), quotes > 0))
-    return found
+def complain(rejection: Rejection, args: Args) -> NoReturn:
+    """What the grammar alone can say about a line of the wrong shape."""
+    if rejection.at is None or rejection.at == 0:
+        args.missing(hint=f"here may stand: {' '.join(rejection.expected)}")
+    word = args.words[rejection.at - 1]
+    if "number" in rejection.expected:
+        args.as_number(word)
+    if "integer" in rejection.expected:
+        args.as_integer(word)
+    args.illegal(word, hint=f"here may stand: {' '.join(rejection.expected)}" if rejection.expected else "nothing follows here")
 
 
-def placed(error: ScriptError, owner: Word) -> ScriptError:
-    """The same error, standing where its command stands unless it knows better."""
-    d = error.diagnostic
-    if d.span is None:
-        error.diagnostic = Diagnostic(d.message, owner.span, d.hint, d.code, d.manual, d.severity)
-    return error
+def inside(word: Word) -> Span | None:
+    """Where the text of a quoted word begins, its quotes left out."""
+    span = word.span
+    if span is None or not word.quoted:
+        return span
+    quotes = 3 if span.length - len(word.text) == 6 else 1
+    return Span(span.file, span.line, span.column + quotes, span.length)
 
 
 def run_text(sim: Simulation, text: str, name: str = "<script>") -> None:

@@ -34,8 +34,15 @@ def _page(name: str) -> str:
 
 
 @cache
-def line_table() -> Lark:
-    return Lark(_page("line"), start="line", parser="lalr", propagate_positions=True)
+def line_table(start: str) -> Lark:
+    """The parser of lines ("line") or of words whose quotes are gone ("inner")."""
+    return Lark(_page("line"), start=start, parser="lalr", propagate_positions=True)
+
+
+@cache
+def parser(name: str) -> Lark:
+    """The parser of formulas or of conditions."""
+    return Lark(_page(name), parser="lalr")
 
 
 @cache

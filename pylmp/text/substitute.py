@@ -31,14 +31,14 @@ class Piece(NamedTuple):
 Lookup = Callable[[str, bool], str]
 
 
-def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = None) -> Text:
+def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = None, start: str = "line") -> Text:
     """The line without its comment, every ``$`` outside quotes replaced by lookup(name or formula, immediate).
 
-    echo receives the line as it stands after each replacement, as LAMMPS prints it.
+    start is "inner" for the text of a quoted word, in which # begins no comment. echo receives the line as it stands after each replacement, as LAMMPS prints it.
     """
     if not _SPECIAL.search(line.text):
         return line
-    pieces = _pieces(line)
+    pieces = _pieces(line, start)
     if len(pieces) == 1 and not pieces[0].key and pieces[0].stop == len(line.text):
         return line
     end = pieces[-1].stop if pieces else 0
@@ -65,9 +65,9 @@ def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = 
     return Text(line.file, out, tuple(starts) or (0,), tuple(places) or line.places[:1])
 
 
-def _pieces(line: Text) -> tuple[Piece, ...]:
+def _pieces(line: Text, start: str) -> tuple[Piece, ...]:
     try:
-        return _read(line.text)
+        return _read(line.text, start)
     except UnexpectedInput as error:
         at = error.pos_in_stream
         if at is None or at < 0 or at >= len(line.text):
@@ -76,22 +76,21 @@ def _pieces(line: Text) -> tuple[Piece, ...]:
 
 
 @lru_cache(4096)
-def _read(text: str) -> tuple[Piece, ...]:
+def _read(text: str, start: str) -> tuple[Piece, ...]:
     pieces: list[Piece] = []
-    for node in line_table().parse(text).children:
+    for node in line_table(start).parse(text).children:
         if isinstance(node, Token):
             if node.type == "COMMENT":
                 break
-            start, stop = node.start_pos or 0, node.end_pos or 0
+            first, stop = node.start_pos or 0, node.end_pos or 0
             if pieces and not pieces[-1].key:
                 pieces[-1] = Piece(pieces[-1].start, stop)
             else:
-                pieces.append(Piece(start, stop))
+                pieces.append(Piece(first, stop))
             continue
-        start, stop = node.meta.start_pos, node.meta.end_pos
-        kind = node.data
-        key = text[start + 2 : stop - 1] if kind != "letter" else text[start + 1 : stop]
-        pieces.append(Piece(start, stop, key, kind == "immediate"))
+        first, stop = node.meta.start_pos, node.meta.end_pos
+        key = text[first + 1 : stop] if node.data == "letter" else text[first + 2 : stop - 1]
+        pieces.append(Piece(first, stop, key, node.data == "immediate"))
     return tuple(pieces)
 
 
