@@ -160,6 +160,7 @@ def _read(args: Args, word: Word, text: str) -> Format:
         args.fail(
             f"Invalid thermo_modify format argument: {text}", word, hint='one number a format, for example "%12.6g"'
         )
+    return result
 
 
 _SETTINGS: dict[str, Callable[[Simulation, Thermo, Args], None]] = {

@@ -1,0 +1,70 @@
+"""Files that dumps grow frame by frame: each frame reaches the file in one write."""
+
+from __future__ import annotations
+
+import gzip
+import os
+from pathlib import Path
+
+from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.text.words import Args, Word
+
+_ELSEWHERE = (".bin", ".lammpsbin", ".zst", ".bz2", ".xz", ".lz4", ".lzma")
+
+
+class DumpFile:
+    """One file, or one a frame where the name holds ``*`` (the step, padded with zeros to pad digits). ``.gz``: compressed."""
+
+    def __init__(self, args: Args, word: Word) -> None:
+        self.name = word.text
+        if "%" in self.name or self.name.endswith(_ELSEWHERE):
+            raise Unsupported(
+                f"LAMMPS writes dump files like {self.name}, pylmp's native engines do not",
+                word.span,
+                hint="a plain name or .gz",
+            )
+        self.one_a_frame = "*" in self.name
+        self.pad = 0
+        self.append = False
+        self._file: int | None = None
+
+    def open(self) -> None:
+        """Make the single file, once. Raises ScriptError when it cannot be."""
+        if not self.one_a_frame and self._file is None:
+            self._file = self._create(self.name, self.append)
+
+    def write(self, step: int, frame: str) -> None:
+        """Add a frame."""
+        data = frame.encode()
+        if self.name.endswith(".gz"):
+            data = gzip.compress(data)
+        if self.one_a_frame:
+            path = self.name.replace("*", str(step).zfill(self.pad))
+            self._file = self._create(f"{path}.part", False)
+            self._write(data)
+            self.close()
+            os.replace(f"{path}.part", path)
+        else:
+            self.open()
+            self._write(data)
+
+    def _write(self, data: bytes) -> None:
+        assert self._file is not None
+        try:
+            while data:
+                data = data[os.write(self._file, data) :]
+        except OSError as error:
+            raise ScriptError(f"Error writing dump {self.name}: {error.strerror}") from None
+
+    def close(self) -> None:
+        if self._file is not None:
+            os.close(self._file)
+            self._file = None
+
+    @staticmethod
+    def _create(path: str, append: bool) -> int:
+        try:
+            return os.open(path, os.O_WRONLY | os.O_CREAT | (os.O_APPEND if append else os.O_TRUNC), 0o666)
+        except OSError as error:
+            hint = "the folder does not exist" if not Path(path).parent.is_dir() else ""
+            raise ScriptError(f"Cannot open dump file {path}:{error.strerror}", hint=hint, manual="dump.html") from None

@@ -1,0 +1,61 @@
+"""The rows of one frame: columns of numbers or names, sorted and formatted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import chain
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pylmp.model.atoms import Ints
+from pylmp.text.printf import Format
+
+if TYPE_CHECKING:
+    from pylmp.dumps.base import Dump
+    from pylmp.model.simulation import Simulation
+
+WHOLE, REAL, NAME = Format("%d"), Format("%g"), Format("%s")
+
+
+@dataclass(frozen=True)
+class Field:
+    """One column. values(simulation, rows, known) -> (rows,) array; known holds what was computed for this frame already.
+
+    name: above the column, unless dump_modify colname says otherwise. usual: its format by default.
+    """
+
+    name: str
+    values: Callable[[Simulation, Ints, dict[Any, Any]], Any]
+    usual: Format = REAL
+
+
+def order(keys: Any, descending: bool) -> Ints:
+    """Rows sorted by keys; equal keys stay as they are."""
+    return np.argsort(-keys if descending else keys, kind="stable")
+
+
+def text(columns: Sequence[Any], formats: Sequence[Format], ending: str) -> str:
+    """The rows, cells joined by one blank. columns: arrays of one length."""
+    if not columns or len(columns[0]) == 0:
+        return ""
+    if any(c.dtype.kind == "f" and np.isnan(c).any() for c in columns):
+        cells = zip(*([f(v) for v in c.tolist()] for c, f in zip(columns, formats, strict=True)), strict=True)
+        return "".join(" ".join(row) + ending for row in cells)
+    whole = [c.astype(np.int64) if f.whole else c for c, f in zip(columns, formats, strict=True)]
+    row = " ".join(f.python for f in formats) + ending
+    values = chain.from_iterable(zip(*(c.tolist() for c in whole), strict=True))
+    return (row * len(columns[0])) % tuple(values)
+
+
+def user_formats(dump: Dump) -> list[Format]:
+    """Per column: the user's for it, for its kind, for the whole line, else the usual one."""
+    result = []
+    for k, field in enumerate(dump.fields):
+        kind = {"d": dump.for_whole, "g": dump.for_real}.get(field.usual.text[-1])
+        own = dump.formats.get(k) or kind
+        if own is None and dump.for_line:
+            own = dump.for_line[k]
+        result.append(own or field.usual)
+    return result
