@@ -95,7 +95,7 @@ class Interpreter:
         if label is None:
             script.at = 0
         elif label in script.labels:
-            script.at = script.labels[label]
+            script.at = script.labels[label] + 1
         else:
             near = f"labels here: {' '.join(script.labels)}" if script.labels else "this file has no labels"
             raise ScriptError("Label wasn't found in input script", span, hint=near, manual="label.html")
