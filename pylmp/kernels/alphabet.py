@@ -11,11 +11,25 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from numba.extending import overload
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic, overload
 
 from pylmp import laws
 
 WORDS: frozenset[Callable[..., Any]] = frozenset({laws.select, laws.sqrt, laws.fabs})
+
+
+@intrinsic
+def _root_instruction(typing_context, x):
+    """The processor's square root: correctly rounded, and no call into the C library for negative numbers."""
+
+    def generate(context, builder, signature, arguments):
+        double = ir.DoubleType()
+        root = builder.module.declare_intrinsic("llvm.sqrt", [double], ir.FunctionType(double, [double]))
+        return builder.call(root, arguments)
+
+    return types.float64(types.float64), generate
 
 
 @overload(laws.select)
@@ -25,7 +39,7 @@ def _select(mask, a, b):
 
 @overload(laws.sqrt)
 def _sqrt(x):
-    return lambda x: math.sqrt(x)
+    return lambda x: _root_instruction(float(x))
 
 
 @overload(laws.fabs)

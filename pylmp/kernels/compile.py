@@ -17,7 +17,8 @@ def compile_object(function: types.FunctionType) -> bytes:
     allocate, print or call anything outside itself.
     """
     import llvmlite.binding as llvm
-    from numba import njit, types as numba_types
+    from numba import njit
+    from numba import types as numba_types
 
     base = {
         "f8": numba_types.float64, "i8": numba_types.int64, "i4": numba_types.int32, "u1": numba_types.uint8,
@@ -40,7 +41,9 @@ def compile_object(function: types.FunctionType) -> bytes:
     module.get_function(name).name = "kernel"
     outside = [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
     if outside:
-        raise TypeError(f"{function.__name__} calls {outside}: a kernel allocates nothing and calls nothing")
+        raise TypeError(
+            f"kernel {function.__name__} calls {outside}: kernels allocate nothing and call nothing outside"
+        )
     return bytes(machine.emit_object(module))
 
 

@@ -34,7 +34,10 @@ def key(function: types.FunctionType) -> str:
 
     for part in _machine():
         put(part)
-    _describe(function, put, {})
+    try:
+        _describe(function, put, {})
+    except TypeError as error:
+        raise TypeError(f"kernel {function.__name__}: {error}") from None
     return digest.hexdigest()
 
 
@@ -68,7 +71,7 @@ def _describe(value: Any, put: Put, seen: dict[int, int]) -> None:
     elif isinstance(value, (types.BuiltinFunctionType, type)) and value.__module__ in _UNDERSTOOD:
         put(f"{value.__module__}.{value.__name__}")
     else:
-        raise TypeError(f"a kernel cannot capture {value!r}")
+        raise TypeError(f"code cannot be kept that captures {value!r}")
 
 
 def _describe_code(code: types.CodeType, function: types.FunctionType, put: Put, seen: dict[int, int]) -> None:

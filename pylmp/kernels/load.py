@@ -64,9 +64,7 @@ def _symbols(code: bytes, sections: list[Any], offsets: dict[int, int]) -> tuple
     return values, entry
 
 
-def _relocate(
-    memory: mmap.mmap, start: int, code: bytes, section: Any, base: int, symbols: list[int | None]
-) -> None:
+def _relocate(memory: mmap.mmap, start: int, code: bytes, section: Any, base: int, symbols: list[int | None]) -> None:
     for k in range(section[5] // 24):
         where, info, addend = struct.unpack_from("<QQq", code, section[4] + 24 * k)
         kind, value = info & 0xFFFFFFFF, symbols[info >> 32]

@@ -8,33 +8,23 @@ cannot be read, written or trusted costs time, never the run.
 from __future__ import annotations
 
 import ctypes
-import hashlib
-import os
-import sys
-import threading
 import types
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from pylmp.kernels import disk
 from pylmp.kernels.compile import arguments, compile_object
 from pylmp.kernels.key import key
 from pylmp.kernels.load import place
+from pylmp.kernels.workers import compile_all
 
 _SCALARS = {"f8": ctypes.c_double, "i8": ctypes.c_int64}
 _ARRAYS = {"f8*": np.float64, "i8*": np.int64, "i4*": np.int32, "u1*": np.uint8}
-_SEAL = 20  # bytes of checksum in front of each entry
-
-_placed: dict[str, Kernel] = {}
-
-
-def folder() -> Path:
-    """Where machine code is kept: PYLMP_CACHE, else pylmp in the user's cache folder."""
-    if own := os.environ.get("PYLMP_CACHE"):
-        return Path(own)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pylmp"
+_placed: dict[str, Kernel] = {}  # by content
+_made: WeakKeyDictionary[types.FunctionType, Kernel] = WeakKeyDictionary()  # by function: saves walking it again
 
 
 class Kernel:
@@ -44,7 +34,7 @@ class Kernel:
         self.name = function.__name__
         self.kinds = arguments(function)
         self.owner, self.address = place(code)
-        native = [_SCALARS[kind] if kind in _SCALARS else ctypes.c_void_p for kind in self.kinds]
+        native = [_SCALARS.get(kind, ctypes.c_void_p) for kind in self.kinds]
         self._call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *native)(self.address)
 
     def bind(self, *values: Any) -> Callable[[], float]:
@@ -76,83 +66,43 @@ class Kernel:
 
 def kernel(function: types.FunctionType) -> Kernel:
     """The kernel of a function: from this process, from the store, or compiled now and stored."""
-    name = key(function)
-    if name not in _placed:
-        found = _find(name, function)
-        if found is None:
-            code = compile_object(function)
-            _keep(name, code)
-            found = Kernel(function, code)
-        _placed[name] = found
-    return _placed[name]
+    found = _made.get(function) or _found(function, key(function))
+    if found is None:
+        found = _new(function, key(function), compile_object(function))
+    return found
 
 
 def prepare(functions: Sequence[types.FunctionType], say: Callable[[str], None]) -> None:
     """Compile what is missing of these, in parallel where the system allows; say gets one line if anything is."""
     missing = {}
     for function in functions:
-        name = key(function)
-        if name not in _placed:
-            found = _find(name, function)
-            if found is None:
-                missing[name] = function
-            else:
-                _placed[name] = found
+        if function not in _made and _found(function, name := key(function)) is None:
+            missing[name] = function
     if not missing:
         return
-    say(f"Compiling {len(missing)} kernels for this scene, once (some seconds) ...\n")
-    workers = min(len(missing), os.cpu_count() or 1)
-    may_fork = hasattr(os, "fork") and "numba" not in sys.modules and threading.active_count() == 1
-    if workers > 1 and may_fork:
-        _compile_in_children(list(missing.items()), workers)
-    for function in missing.values():
-        kernel(function)
+    many = "1 kernel" if len(missing) == 1 else f"{len(missing)} kernels"
+    say(f"Compiling {many} for this scene, once (some seconds) ...\n")
+    codes = compile_all(list(missing.values()))
+    for (name, function), code in zip(missing.items(), codes, strict=True):
+        _new(function, name, code)
 
 
-def _compile_in_children(work: list[tuple[str, types.FunctionType]], workers: int) -> None:
-    """Each child compiles every workers-th kernel into the store; what a child fails to leave is compiled here."""
-    children = []
-    for share in range(workers):
-        child = os.fork()
-        if child == 0:
-            try:
-                for name, function in work[share::workers]:
-                    _keep(name, compile_object(function))
-            finally:
-                os._exit(0)
-        children.append(child)
-    for child in children:
-        os.waitpid(child, 0)
-
-
-def _find(name: str, function: types.FunctionType) -> Kernel | None:
-    try:
-        entry = (folder() / f"{name}.o").read_bytes()
-    except OSError:
-        return None
-    code = entry[_SEAL:]
-    if entry[:_SEAL] != _seal(code):
-        return None
-    try:
-        return Kernel(function, code)
-    except Exception:  # an entry that cannot be placed is no entry
-        return None
-
-
-def _keep(name: str, code: bytes) -> None:
-    """Write an entry whole or not at all."""
-    home = folder()
-    private = home / f"{name}.{os.getpid()}.{os.urandom(4).hex()}"
-    try:
-        home.mkdir(mode=0o700, parents=True, exist_ok=True)
+def _found(function: types.FunctionType, name: str) -> Kernel | None:
+    """The kernel called name, if this process or the store has it."""
+    if name not in _placed:
+        code = disk.find(name)
+        if code is None:
+            return None
         try:
-            private.write_bytes(_seal(code) + code)
-            os.replace(private, home / f"{name}.o")
-        finally:
-            private.unlink(missing_ok=True)
-    except OSError:
-        pass
+            _placed[name] = Kernel(function, code)
+        except Exception:  # an entry that cannot be placed is no entry
+            return None
+    _made[function] = _placed[name]
+    return _placed[name]
 
 
-def _seal(code: bytes) -> bytes:
-    return hashlib.blake2b(code, digest_size=_SEAL).digest()
+def _new(function: types.FunctionType, name: str, code: bytes) -> Kernel:
+    made = Kernel(function, code)
+    disk.keep(name, code)
+    _placed[name] = _made[function] = made
+    return made
