@@ -17,7 +17,7 @@ _LOST = ("ignore", "warn", "error")
 _WARN = {"ignore": -1, "always": 0, "default": 100}
 
 
-@command("thermo_modify", needs_box=True)
+@command("thermo_modify")
 def thermo_modify(sim: Simulation, args: Args) -> None:
     args.need(1)
     while len(args):

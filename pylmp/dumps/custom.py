@@ -39,6 +39,8 @@ class DumpCustom(Dump):
         if name in ATTRIBUTES:
             return ATTRIBUTES[name]
         found = parse(name)
+        if name[:2] in ("i_", "d_"):
+            args.fail(f"Could not find custom per-atom property ID: {name[2:]}", word)
         if found is None or "*" in name:
             hint = " ".join(ATTRIBUTES)
             args.fail(f"Invalid attribute {name} in dump custom command", word, hint=hint)

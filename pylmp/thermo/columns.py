@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -42,8 +43,6 @@ def column(thermo: Thermo, args: Args, word: Word) -> Column:
 
 
 def _hint(text: str) -> str:
-    import difflib
-
     near = difflib.get_close_matches(text.lower(), KEYWORDS, 1)
     return f"did you mean {near[0]}?" if near else ""
 
@@ -70,7 +69,7 @@ def _measured(thermo: Thermo, args: Args, word: Word, found: Reference) -> Calla
 
 
 def _variable(thermo: Thermo, args: Args, word: Word, found: Reference) -> Callable[[Thermo], float]:
-    """An equal-style variable, or an element of a vector-style one."""
+    """An equal-style variable; vector-style ones are not known here."""
     style = thermo.variables.style(found.name)
     if style is None:
         args.fail(f"Could not find thermo custom variable name: {found.name}", word)
@@ -78,7 +77,4 @@ def _variable(thermo: Thermo, args: Args, word: Word, found: Reference) -> Calla
         args.fail(f"Thermo custom variable {found.name} is not an equal-style variable", word)
     if found.index and style != "vector":
         args.fail(f"Thermo custom variable {found.name} is not a vector-style variable", word)
-    if not found.index:
-        return lambda t: t.variables.number(found.name)
-    at = found.index[0]
-    return lambda t: t.variables.element(found.name, at - 1)
+    return lambda t: t.variables.number(found.name)
