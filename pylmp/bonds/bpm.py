@@ -6,62 +6,84 @@ checks less than the manual says (docs/departures.md).
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from pylmp.model.style import Options, Restriction
-from pylmp.text.words import Args
+from pylmp.text.words import Args, Word
 
 ATTRIBUTES = ("id1", "id2", "time", "x", "y", "z", "x/ref", "y/ref", "z/ref")
 ONES = (1.0, 1.0, 1.0)
 
 
 def parse(sim: Any, args: Args) -> Options:
-    """store/local ID N attributes, overlay/pair, smooth, normalize, break: in any order."""
+    """store/local ID N attributes, overlay/pair, smooth, normalize, break: in any order.
+
+    Like the release, in two passes: first store/local, overlay/pair and break wherever they stand, then the words left over.
+    """
     options: Options = {"overlay/pair": False, "smooth": True, "normalize": False, "break": True, "store/local": None}
-    keywords = {}
+    last: dict[str, Word] = {}
     first = args.peek()
     if first is not None and first.text not in options and len(args) > 2 and args.words[args.at + 2].text in ATTRIBUTES:
         if sim.strict:
-            args.fail(f"Illegal bond bpm command, invalid argument {first.text}", first, hint="store/local before the fix ID")
+            args.fail(
+                f"Illegal bond bpm command, invalid argument {first.text}", first, hint="store/local before the fix ID"
+            )
         sim.console.warning(
             f"[D001] the manual's example leaves out the keyword store/local, which LAMMPS 22 Jul 2025 requires: "
             f"bond_style bpm/spring/plastic store/local {first.text} ..."
         )
         options["store/local"] = _store(args, first)
-    # the release reads store/local, overlay/pair and break first, then complains about what is left
-    unknown = None
+    left = []
     while len(args):
         word = args.word()
-        keywords[word.text] = word
+        last[word.text] = word
         if word.text == "store/local":
             options["store/local"] = _store(args, word)
-        elif word.text in options:
+        elif word.text in ("overlay/pair", "break"):
             options[word.text] = args.yes()
         else:
-            unknown = unknown or word
-            break
-    if unknown is not None:
-        hint = "keywords: store/local overlay/pair smooth normalize break"
-        args.fail(f"Illegal bond bpm command, invalid argument {unknown.text}", unknown, hint=hint)
+            left.append(args.at - 1)
+    while left:
+        args.at = left.pop(0)
+        word = args.word()
+        if word.text not in ("smooth", "normalize"):
+            args.fail(
+                f"Illegal bond bpm command, invalid argument {word.text}", word,
+                hint="keywords: store/local overlay/pair smooth normalize break",
+            )  # fmt: skip
+        options[word.text] = args.yes()
+        left = [at for at in left if at != args.at - 1]
     if options["smooth"] and not options["break"]:
         args.fail(
-            "Illegal bond bpm command, must turn off smoothing with break no option", keywords["break"], hint="break no smooth no"
+            "Illegal bond bpm command, must turn off smoothing with break no option",
+            last["break"],
+            hint="break no smooth no",
         )
+    args.rest()
     return options
 
 
-def _store(args: Args, keyword: Any) -> tuple[str, int, tuple[str, ...]]:
+def _store(args: Args, keyword: Word) -> tuple[str, int, tuple[str, ...]]:
     """Fix ID, interval, attributes."""
-    args.need(2)
-    identity, every = args.word(), args.word()
+    identity = args.word()
+    if not len(args):
+        args.fail("Expected integer parameter instead of NULL or empty string in input script or data file", identity)
+    every = args.word()
     steps = args.as_integer(every)
-    if steps <= 0:
-        args.fail("Illegal fix STORE/LOCAL command", every, hint="N is a positive number of steps")
     attributes = []
     while (word := args.peek()) is not None and word.text in ATTRIBUTES:
         attributes.append(args.word().text)
-    if not attributes and (word is None or word.text in ("overlay/pair", "smooth", "normalize", "break")):
-        args.fail("Storing local data must include at least one value to output", keyword, hint=f"one of {' '.join(ATTRIBUTES)}")
+    if not attributes and (word is None or word.text != "store/local"):
+        args.fail(
+            "Storing local data must include at least one value to output",
+            keyword,
+            hint=f"one of {' '.join(ATTRIBUTES)}",
+        )
+    if steps <= 0:
+        args.fail("Illegal fix STORE/LOCAL command", every, hint="N is a positive number of steps")
+    if not re.fullmatch(r"\w+", identity.text, re.ASCII):
+        args.fail("Fix ID must be alphanumeric or underscore characters", identity)
     return identity.text, steps, tuple(attributes)
 
 
@@ -73,7 +95,22 @@ def _pairs_off(options: Options) -> bool:
     return bool(options["break"]) and not options["overlay/pair"]
 
 
+def _keeper(sim: Any, options: Options) -> Any:
+    """The fix that has the ID given after store/local, or None."""
+    return next((fix for fix in sim.fixes if fix.id == options["store/local"][0]), None)
+
+
 RESTRICTIONS = (
+    Restriction(
+        "B207", lambda sim, options: f"Cannot find fix STORE/LOCAL id {options['store/local'][0]}",
+        lambda sim, options: bool(options["store/local"]) and _keeper(sim, options) is None,
+        "the fix that store/local made was deleted: give bond_style again",
+    ),
+    Restriction(
+        "B208", lambda sim, options: f"Incorrect fix style matched, not STORE/LOCAL: {_keeper(sim, options).style}",
+        lambda sim, options: bool(options["store/local"]) and _keeper(sim, options).style != "STORE/LOCAL",
+        "give store/local a fix ID that no fix command uses",
+    ),
     Restriction(
         "B201", "With overlay/pair yes, BPM bond styles require a value of 1.0 for all special_bonds weights", _overlay,
         "special_bonds lj/coul 1 1 1",

@@ -16,6 +16,8 @@ from pylmp.text.words import Args, Word
 @command("bond_style")
 def bond_style(sim: Simulation, args: Args) -> None:
     """Choose the bond style. What bonds remember is forgotten, also when the same style is named again."""
+    if not len(args):
+        args.illegal(hint="bond_style STYLE keywords")
     name = args.word()
     if not sim.has_bonds:
         args.fail("Bond_style command when no bonds allowed", args.owner, hint="atom_style bond, before the box")
@@ -26,7 +28,7 @@ def bond_style(sim: Simulation, args: Args) -> None:
     if name.text == "hybrid":
         parts = _hybrid(sim, args)
     else:
-        parts = [_part(sim, args, name, args.rest())]
+        parts = [_part(sim, args, name, args.rest(), name.text)]
     sim.bond = Bond(name.text if name.text == "hybrid" else parts[0].style.name, parts, sim.bond_types)
     sim.atoms.set_history(sim.bond.memory)
     for part in parts:
@@ -49,33 +51,44 @@ def find(sim: Simulation, args: Args, name: Word) -> BondStyle:
         unknown_style(args, name, "bond", BONDS)
     if not style.release:
         if sim.strict:
-            hint = "bond_style quartic" if "breakable" in plain and "un" not in plain else "the release has no such style"
+            hint = (
+                "bond_style quartic" if "breakable" in plain and "un" not in plain else "the release has no such style"
+            )
             args.fail(f"Unrecognized bond style '{name.text}'", name, hint=hint, code="D004")
         known = "calls it quartic" if plain == "quartic/breakable" else "has no such style"
         sim.console.warning(f"[D004] bond_style {plain} is of the manual page; LAMMPS 22 Jul 2025 {known}")
     return style
 
 
-def _part(sim: Simulation, args: Args, name: Word, words: list[Word]) -> BondPart:
+def _part(sim: Simulation, args: Args, name: Word, words: list[Word], called: str) -> BondPart:
     style = find(sim, args, name)
     if not sim.has_box and style.history:
         args.fail(
-            "Fix BOND_HISTORY command before simulation box is defined", name, hint="create_box or read_data comes first"
+            "Fix BOND_HISTORY command before simulation box is defined",
+            name,
+            hint="create_box or read_data comes first",
         )
-    options = style.parse(sim, Args("bond_style", words, name, style.manual))
+    options = style.parse(sim, Args(f"bond_style {called}", words, name, style.manual))
     return BondPart(style, options, sim.bond_types)
 
 
 def _hybrid(sim: Simulation, args: Args) -> list[BondPart]:
     """Words up to the next style name belong to the style before."""
-    args.need(1)
+    if not len(args):
+        args.fail(
+            "Illegal bond_style hybrid command: missing argument(s)",
+            args.words[0],
+            hint="bond_style hybrid STYLE STYLE",
+        )
     parts: list[BondPart] = []
     while len(args):
         name = args.word()
+        if name.text in ("none", "hybrid"):
+            args.fail(f"Bond style hybrid cannot have {name.text} as an argument", name)
         words = []
         while (word := args.peek()) is not None and BONDS.find(word.text.removesuffix("/omp")) is None:
             words.append(args.word())
-        part = _part(sim, args, name, words)
+        part = _part(sim, args, name, words, "hybrid")
         if any(part.style.name == other.style.name for other in parts):
             args.fail("Bond style hybrid cannot use same bond style twice", name)
         parts.append(part)

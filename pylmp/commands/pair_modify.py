@@ -22,7 +22,9 @@ def pair_modify(sim: Simulation, args: Args) -> None:
         if word.text == "mix":
             rule = args.word()
             if rule.text not in (GEOMETRIC, ARITHMETIC, SIXTHPOWER):
-                args.fail(f"Unknown pair_modify mix argument: {rule.text}", rule, hint="geometric arithmetic sixthpower")
+                args.fail(
+                    f"Unknown pair_modify mix argument: {rule.text}", rule, hint="geometric arithmetic sixthpower"
+                )
             sim.pair.mix = rule.text
         elif word.text == "shift":
             args.need(1)

@@ -62,6 +62,7 @@ class Bond:
         self.name = name
         self.parts = parts
         self.types = types
+        self.given: set[int] = set()  # types that bond_coeff named
 
     @property
     def memory(self) -> int:
@@ -71,63 +72,74 @@ class Bond:
     def coeff(self, args: Args) -> None:
         """bond_coeff: a type range, under hybrid the style's name, then its coefficients."""
         kinds = args.types(self.types)
-        part = self.parts[0]
+        part: BondPart | None = self.parts[0]
         if self.name == "hybrid":
             word = args.word()
-            named = {p.style.name: p for p in self.parts}
-            if word.text == "none":
-                for kind in kinds:
-                    for other in self.parts:
-                        other.mine[kind] = 0
-                return
-            if word.text not in named:
-                args.fail(f"Expected hybrid sub-style instead of {word.text} in bond_coeff command", word)
-            part = named[word.text]
-            for other in self.parts:
-                other.mine[kinds.start : kinds.stop] = 0
-        wanted, given = len(part.style.coeffs), len(args)
-        if not wanted - part.style.optional_coeffs <= given <= wanted:
-            at = args.words[args.at + wanted] if given > wanted else args.words[-1]
-            names = " ".join(c.name for c in part.style.coeffs)
-            args.fail("Incorrect args for bond coefficients", at, hint=f"bond_coeff TYPE {names}")
-        values = [args.number() for _ in range(given)] + [0.0] * (wanted - given)
-        part.set(kinds, tuple(values))
-        if part.style.reference:
-            part.stretch = max(part.stretch, 1.0 + values[1])
+            part = next((p for p in self.parts if p.style.name == word.text), None)
+            if part is None and word.text != "none":
+                hint = " ".join(p.style.name for p in self.parts) + " none"
+                args.fail(f"Expected hybrid sub-style instead of {word.text} in bond_coeff command", word, hint=hint)
+        values = _coefficients(args, part) if part else args.rest() and ()
+        for other in self.parts:
+            other.mine[kinds.start : kinds.stop] = 0
+        self.given.update(kinds)
+        if part is not None:
+            part.set(kinds, values)
+            if part.style.reference:
+                part.stretch = max(part.stretch, 1.0 + values[1])
 
     def init(self, sim: Simulation) -> None:
         """Check coefficients and every restriction, in LAMMPS's order."""
-        covered = np.zeros(self.types + 1, bool)
-        for part in self.parts:
-            covered |= part.mine.astype(bool)
-        if not covered[1:].all():
+        hint, manual = "bond_coeff * ... sets all", "bond_coeff.html"
+        if not self.given:
+            says = "Bond coeffs are not set. Status:\nBond style not yet initialized"
+            raise ScriptError(says, hint=hint, manual=manual)
+        if len(self.given) < self.types:
             status = "".join(
-                f"\n{kind:6d}: is {'set' if covered[kind] else 'not set'}" for kind in range(1, self.types + 1)
+                f"\n{kind:6d}: is {'set' if kind in self.given else 'not set'}" for kind in range(1, self.types + 1)
             )
-            raise ScriptError(
-                f"All bond coeffs are not set. Status:{status}", hint="bond_coeff * ... sets all", manual="bond_coeff.html"
-            )
+            raise ScriptError(f"All bond coeffs are not set. Status:{status}", hint=hint, manual=manual)
+        for part in self.parts:
+            if not part.mine.any():
+                raise ScriptError(f"Bond hybrid sub-style {part.style.name} is not used", hint=hint, manual=manual)
         for part in self.parts:
             for restriction in part.style.restrictions:
-                if restriction.broken(sim, part.options):
-                    raise ScriptError(
-                        restriction.says.format(**part.options), hint=restriction.hint, code=restriction.code,
-                        manual=part.style.manual,
-                    )  # fmt: skip
+                restriction.check(sim, part.options, part.style.manual)
             if part.style.reference and part.longest_reference == 0.0:
                 part.longest_reference = longest_bond(sim)
+
+    def write_coeffs(self) -> list[tuple[int, tuple[float, ...]]]:
+        """(type, coefficients) of the Bond Coeffs section of a data file; empty where LAMMPS writes no such section."""
+        (part, *others) = self.parts
+        if others or self.name == "hybrid" or not part.style.writes:
+            return []
+        return [(kind, tuple(part.table[kind].tolist())) for kind in range(1, self.types + 1)]
 
     def reach(self) -> float:
         """LAMMPS's estimate of the longest bond, before the skin: 1.5 times the equilibrium length."""
         longest = 0.0
         for part in self.parts:
             if part.style.reference:
-                stretch = part.stretch / 1.5 if part.can_break else 1.0
-                longest = max(longest, part.longest_reference * stretch)
+                length = part.stretch * part.longest_reference / 1.5 if part.can_break else part.longest_reference
+                longest = max(longest, length)
             else:
                 for kind in np.flatnonzero(part.mine):
                     longest = max(longest, part.style.length(tuple(part.table[kind]), part.options))
         return longest * 1.5
+
+
+def _coefficients(args: Args, part: BondPart) -> tuple[float, ...]:
+    """The numbers after the type range (and style name)."""
+    wanted = len(part.style.coeffs)
+    if part.options.get("nocoeff"):
+        args.rest()
+        return (0.0,) * wanted
+    given = len(args)
+    if not wanted - part.style.optional_coeffs <= given <= wanted:
+        at = args.words[args.at + wanted] if given > wanted else args.words[-1]
+        names = " ".join(c.name for c in part.style.coeffs)
+        args.fail("Incorrect args for bond coefficients", at, hint=f"bond_coeff TYPE {names}")
+    return tuple([args.number() for _ in range(given)] + [0.0] * (wanted - given))
 
 
 def bond_pairs(sim: Simulation, wanted: Callable[[Ints], Any]) -> tuple[Ints, Ints, Ints]:

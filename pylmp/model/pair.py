@@ -75,12 +75,9 @@ class Pair:
         """Mix what was not given, check, fill cut and table. Raises ScriptError for unset or broken restrictions."""
         if self.shift and self.tail:
             raise ScriptError("Cannot have both pair_modify shift and tail set to yes")
-        for restriction in self.style.restrictions:
-            if restriction.broken(sim, self.options):
-                raise ScriptError(
-                    restriction.says, hint=restriction.hint, code=restriction.code, manual=self.style.manual
-                )
         self._check_set()
+        for restriction in self.style.restrictions:
+            restriction.check(sim, self.options, self.style.manual)
         mixed, unlike = 0, self.types * (self.types - 1) // 2
         self.all = {}
         for i in range(1, self.types + 1):
@@ -94,16 +91,17 @@ class Pair:
         sim.console.both(f"Generated {mixed} of {unlike} mixed pair_coeff terms from {self.mix} mixing rule\n")
 
     def _check_set(self) -> None:
+        hint, manual = "pair_coeff * * ... sets all", "pair_coeff.html"
+        if not self.given:
+            raise ScriptError(
+                "All pair coeffs are not set. Status:\nPair style not yet initialized", hint=hint, manual=manual
+            )
         pairs = [(i, j) for i in range(1, self.types + 1) for j in range(i, self.types + 1)]
         alike = all((i, i) in self.given for i in range(1, self.types + 1))
         if alike and (self.style.mix is not None or all(pair in self.given for pair in pairs)):
             return
-        status = "".join(
-            f"\n{i:6d} {j:6d}: is {'set' if (i, j) in self.given else 'not set'}" for i, j in pairs
-        )
-        raise ScriptError(
-            f"All pair coeffs are not set. Status:{status}", hint="pair_coeff * * ... sets all", manual="pair_coeff.html"
-        )
+        status = "".join(f"\n{i:6d} {j:6d}: is {'set' if (i, j) in self.given else 'not set'}" for i, j in pairs)
+        raise ScriptError(f"All pair coeffs are not set. Status:{status}", hint=hint, manual=manual)
 
     def _fill(self) -> None:
         rows = {pair: self.style.row(*values, self.shift) for pair, values in self.all.items()}

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from pylmp.text.diagnostic import ScriptError
+
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
     from pylmp.text.words import Args
@@ -27,20 +29,30 @@ class Restriction:
     """One documented restriction: a stable code, LAMMPS's own sentence, the test that finds it broken, what to type."""
 
     code: str
-    says: str
+    says: str | Callable[[Simulation, Options], str]
     broken: Callable[[Simulation, Options], bool]
     hint: str
 
+    def check(self, sim: Simulation, options: Options, manual: str) -> None:
+        """Raise ScriptError if broken."""
+        if self.broken(sim, options):
+            says = self.says if isinstance(self.says, str) else self.says(sim, options)
+            raise ScriptError(says, hint=self.hint, code=self.code, manual=manual)
+
 
 def no_options(sim: Simulation, args: Args) -> Options:
-    """A style without keywords."""
-    if len(args):
-        args.illegal(args.peek())
+    """A bond style without keywords."""
+    word = args.peek()
+    if word is not None:
+        args.fail(f"Illegal {args.what} argument: {word.text}", word, hint="this style has no keywords")
     return {}
 
 
 def always(value: Any) -> Callable[[Options], Any]:
     return lambda options: value
+
+
+NEVER = always(False)
 
 
 @dataclass(frozen=True)
@@ -64,6 +76,7 @@ class BondStyle:
     writes         write_data prints its coefficients
     omp            the manual lists an /omp name: the same law
     release        its name in the LAMMPS release, "" if it has none
+    optional_coeffs   how many of the last coefficients may be left out (0.0 then)
     """
 
     name: str
@@ -75,12 +88,12 @@ class BondStyle:
     history: tuple[str, ...] = ()
     reference: bool = False
     velocity: bool = False
-    can_break: Callable[[Options], bool] = always(False)
+    can_break: Callable[[Options], bool] = NEVER
     on_break: str = ""
     breaks_in_setup: bool = False
     lower_id_first: bool = False
     subtract_pair: bool = False
-    updates_special: Callable[[Options], bool] = always(False)
+    updates_special: Callable[[Options], bool] = NEVER
     length: Callable[[tuple[float, ...], Options], float] = lambda coeffs, options: 0.0
     mixable: bool = False
     writes: bool = True

@@ -46,6 +46,8 @@ def settings(sim: Any, args: Args) -> Options:
         word = args.word()
         if word.text != "anharmonic":
             args.fail(f"Illegal pair_style command {word.text}", word, hint="the one keyword is anharmonic yes|no")
+        if not len(args):
+            args.fail("Illegal pair_coeff bpm/spring anharmonic command: missing argument(s)", word, hint="yes or no")
         options["anharmonic"] = args.yes()
     return options
 

@@ -12,7 +12,7 @@ from pylmp.text.words import Args
 
 def settings(sim: Any, args: Args) -> Options:
     if not len(args):
-        args.illegal(hint="pair_style zero CUTOFF")
+        args.fail("Illegal pair_style zero command: missing argument(s)", args.owner, hint="pair_style zero CUTOFF")
     options: Options = {"cut": args.number(), "nocoeff": False, "full": False}
     while len(args):
         word = args.word()
