@@ -19,7 +19,7 @@ class Scope:
     def variable(self, name: str, index: tuple[int, ...]) -> float:
         if name not in self._variables.known:
             raise ScriptError(f"Invalid variable reference v_{name} in variable formula", hint="define it first")
-        return self._variables.number(name, self)
+        return float(f"{self._variables.number(name, self):.15g}")  # LAMMPS passes variables on as text
 
     def compute(self, name: str, index: tuple[int, ...]) -> float:
         if not self._sim.has_box:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pylmp.model.sums import total
+from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.thermo.table import Thermo
@@ -56,6 +57,8 @@ def _pair(t: Thermo) -> float:
 
 
 def _tail(t: Thermo) -> float:
+    if t.sim.tally.step != t.sim.step:
+        raise ScriptError("Energy was not tallied on needed timestep for thermo keyword etail", hint="use it on thermo steps")
     return t.per_atom(t.sim.pair.tails(t.sim)[0] / t.sim.box.volume) if t.sim.pair else 0.0
 
 

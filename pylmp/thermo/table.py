@@ -47,6 +47,7 @@ class Thermo:
         self._known: dict[tuple[str, str, str], Any] = {}
         self._known_at = -1
         self._paces: dict[str, tuple[float, float]] = {}
+        self._uses = ""  # what the columns of the last run needed
         self.columns: list[Column] = []
         self.columns = [column(self, args, word) for word in expand(sim, args, words, "vector")]
 
@@ -124,27 +125,17 @@ class Thermo:
             raise ScriptError(f"Invalid thermo keyword '{keyword}' in variable formula", manual="thermo_style.html")
         if "r" in known.needs and not self.sim.output.running:
             raise ScriptError(f"The variable thermo keyword {keyword} cannot be used between runs")
-        uses = "".join(c.needs for c in self.columns)
+        if "e" in known.needs and self.sim.tally.step != self.sim.step:
+            raise ScriptError(_NOT_TALLIED, hint="use it on thermo steps")
         for letter, noun in (("e", "potential energy"), ("t", "temperature"), ("p", "press")):
-            if letter in known.needs and letter not in uses and not self._measured(letter):
-                if letter == "e" and self.sim.tally.step != self.sim.step:
-                    raise ScriptError(_NOT_TALLIED, hint="use it on thermo steps")
+            if letter in known.needs and letter not in self._uses:
                 raise ScriptError(
                     f"Thermo keyword {keyword} in variable requires thermo to use/init {noun}",
                     hint="thermo_style custom with that keyword",
                 )
-        if "e" in known.needs and self.sim.tally.step != self.sim.step:
-            raise ScriptError(_NOT_TALLIED, hint="use it on thermo steps")
         if known.needs == "t" and not self.sim.ran and not self.sim.output.running:
             return 0.0
         return known.value(self)
-
-    def _measured(self, letter: str) -> bool:
-        """A column reads the compute that stands for temperature, pressure or energy."""
-        wanted = {"t": self.temp, "p": self.press, "e": self.pe}[letter]
-        return any(
-            c.reference is not None and c.reference.kind == "c" and c.reference.name == wanted for c in self.columns
-        )
 
     # ---- lines ----------------------------------------------------------------------------------------------
 
@@ -152,6 +143,7 @@ class Thermo:
         """Everything the columns name is still there; values of earlier runs are forgotten."""
         self._known = {}
         self._paces = {}
+        self._uses = "".join(entry.needs for entry in self.columns)
         for entry in self.columns:
             found = entry.reference
             if found is None:
