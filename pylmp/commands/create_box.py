@@ -43,7 +43,8 @@ def create_box(sim: Simulation, args: Args) -> None:
     sim.console.both("  1 by 1 by 1 MPI processor grid\n")
     sim.box = box
     sim.define_types(types, options["bond/types"])
-    sim.atoms = Atoms(options["extra/bond/per/atom"], 1 + options["extra/special/per/atom"])
+    sim.extra_special = options["extra/special/per/atom"]
+    sim.atoms = Atoms(options["extra/bond/per/atom"], 1 + sim.extra_special)
     sim.step = 0
 
 
