@@ -13,6 +13,4 @@ def pair_coeff(sim: Simulation, args: Args) -> None:
     if sim.pair is None:
         args.fail("Pair_coeff command without a pair style", args.owner, hint="pair_style comes first")
     args.need(2)
-    if sim.pair.types != sim.atom_types:
-        sim.pair.types = sim.atom_types
     sim.pair.coeff(args)

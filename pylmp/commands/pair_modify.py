@@ -6,7 +6,7 @@ from pylmp.model.pair import ARITHMETIC, GEOMETRIC, SIXTHPOWER
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import Unsupported
-from pylmp.text.words import Args
+from pylmp.text.words import Args, Word
 
 _ELSEWHERE = ("pair", "special", "table", "table/disp", "tabinner", "tabinner/disp", "compute", "nofdotr", "neigh/trim")
 
@@ -20,6 +20,7 @@ def pair_modify(sim: Simulation, args: Args) -> None:
     while len(args):
         word = args.word()
         if word.text == "mix":
+            _need(args, word)
             rule = args.word()
             if rule.text not in (GEOMETRIC, ARITHMETIC, SIXTHPOWER):
                 args.fail(
@@ -27,12 +28,17 @@ def pair_modify(sim: Simulation, args: Args) -> None:
                 )
             sim.pair.mix = rule.text
         elif word.text == "shift":
-            args.need(1)
+            _need(args, word)
             sim.pair.shift = args.yes()
         elif word.text == "tail":
-            args.need(1)
+            _need(args, word)
             sim.pair.tail = args.yes()
         elif word.text in _ELSEWHERE:
             raise Unsupported(f"LAMMPS has pair_modify {word.text}, pylmp's native engines do not", word.span)
         else:
             args.fail(f"Unknown pair_modify keyword: {word.text}", word, hint="mix shift tail")
+
+
+def _need(args: Args, keyword: Word) -> None:
+    if not len(args):
+        args.fail(f"Illegal pair_modify {keyword.text} command: missing argument(s)", keyword)

@@ -11,7 +11,10 @@ from pylmp.text.words import Args
 
 @command("pair_style")
 def pair_style(sim: Simulation, args: Args) -> None:
-    """Choose the pair style. The same style again changes its settings and keeps its coefficients, as in LAMMPS."""
+    """Choose the pair style.
+
+    The same style again keeps the coefficients and pair_modify settings; a global cutoff replaces every cutoff.
+    """
     name = args.word()
     if name.text == "none":
         sim.pair = None
@@ -24,8 +27,5 @@ def pair_style(sim: Simulation, args: Args) -> None:
     before = sim.pair
     sim.pair = Pair(style, options, sim.atom_types)
     if before is not None and before.style is style:
-        sim.pair.given = {
-            pair: (coeffs, options["cut"] if cut == before.options["cut"] else cut)
-            for pair, (coeffs, cut) in before.given.items()
-        }
+        sim.pair.given = {pair: (values, options.get("cut", cut)) for pair, (values, cut) in before.given.items()}
         sim.pair.mix, sim.pair.shift, sim.pair.tail = before.mix, before.shift, before.tail

@@ -60,13 +60,17 @@ class Pair:
 
     def coeff(self, args: Args) -> None:
         """pair_coeff: two type ranges, then the style's words."""
+        if all(word.text.isdigit() for word in args.words[:2]) and int(args.words[0].text) > int(args.words[1].text):
+            args.words[:2] = args.words[1::-1]
         first, second = args.types(self.types), args.types(self.types)
         values = self.style.read(args, self.options)
         if len(args):
             args.fail("Incorrect args for pair coefficients", args.peek())
         pairs = [(i, j) for i in first for j in second if j >= i]
         if not pairs:
-            args.fail("Incorrect args for pair coefficients", args.words[1], hint="the first type is the smaller")
+            args.fail(
+                "Incorrect args for pair coefficients", args.words[1], hint="no pair of types I <= J in these ranges"
+            )
         for pair in pairs:
             self.given[pair] = values
         self.stale = True
@@ -74,7 +78,13 @@ class Pair:
     def init(self, sim: Simulation) -> None:
         """Mix what was not given, check, fill cut and table. Raises ScriptError for unset or broken restrictions."""
         if self.shift and self.tail:
-            raise ScriptError("Cannot have both pair_modify shift and tail set to yes")
+            raise ScriptError(
+                "Cannot have both pair_modify shift and tail set to yes", hint="one of the two, or neither"
+            )
+        if self.tail and sim.dimension == 2:
+            raise ScriptError("Cannot use pair tail corrections with 2d simulations", hint="pair_modify tail no")
+        if self.tail and not all(sim.box.periodic):
+            sim.console.warning("Using pair tail corrections with non-periodic system")
         self._check_set()
         for restriction in self.style.restrictions:
             restriction.check(sim, self.options, self.style.manual)
@@ -86,7 +96,7 @@ class Pair:
                     self.all[i, j] = self.given[i, j]
                 elif self.style.mix is not None:
                     self.all[i, j] = self.style.mix(*self.given[i, i], *self.given[j, j], self.mix)
-                    mixed += 1
+                    mixed += bool(self.style.coeffs)  # LAMMPS counts pairs whose energies it mixes
         self._fill()
         sim.console.both(f"Generated {mixed} of {unlike} mixed pair_coeff terms from {self.mix} mixing rule\n")
 
@@ -111,6 +121,15 @@ class Pair:
         for (i, j), values in rows.items():
             self.table[i, j] = self.table[j, i] = values
             self.cut[i, j] = self.cut[j, i] = self.all[i, j][1]
+
+    def write_coeffs(self) -> tuple[str, list[tuple[int, ...]], list[list[float]]]:
+        """Section title, type keys and numbers for a data file: Pair Coeffs, or PairIJ Coeffs if an unlike pair was given."""
+        pairs = [(i, j) for i in range(1, self.types + 1) for j in range(i, self.types + 1)]
+        whole = any(i != j for i, j in self.given)
+        if whole:
+            return "PairIJ Coeffs", list(pairs), [self.style.write(*self.all[pair], True) for pair in pairs]
+        like = [(i, i) for i in range(1, self.types + 1)]
+        return "Pair Coeffs", [(i,) for i, _ in like], [self.style.write(*self.given[pair], False) for pair in like]
 
     def tails(self, sim: Simulation) -> tuple[float, float]:
         """Long-range corrections (energy, pressure) before division by V and V*V; zero unless pair_modify tail yes."""

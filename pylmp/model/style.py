@@ -107,7 +107,7 @@ class PairStyle:
     """A pair style.
 
     law        options -> law(r2, dot, factor, c) -> (force over r, energy), zero beyond the cutoff; None computes nothing
-    settings   reads pair_style's words; options["cut"] is the global cutoff
+    settings   reads pair_style's words; options["cut"] is the global cutoff, if the style has one
     read       reads pair_coeff's words -> (coefficients, cutoff)
     mix        (coefficients, cutoff of type i, of type j, mixing rule) -> those of the unlike pair; None: not defined
     row        (coefficients, cutoff, shift) -> the numbers the law receives

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from pylmp.laws import select, sqrt
-from pylmp.model.pair import mix_distance
+from pylmp.model.pair import mix_distance, mix_energy
 from pylmp.model.registry import PAIRS
 from pylmp.model.style import Coeff, Law, Options, PairStyle, Restriction
 from pylmp.text.words import Args
@@ -41,7 +41,7 @@ def spring(options: Options) -> Law:
 
 
 def settings(sim: Any, args: Args) -> Options:
-    options = {"anharmonic": False, "cut": 0.0}
+    options = {"anharmonic": False}
     while len(args):
         word = args.word()
         if word.text != "anharmonic":
@@ -66,7 +66,9 @@ def row(coeffs: tuple[float, ...], cut: float, shift: bool) -> tuple[float, ...]
 
 
 def mix(a: Any, cut_a: float, b: Any, cut_b: float, rule: str) -> tuple[tuple[float, ...], float]:
-    return tuple(mix_distance(p, q, rule) for p, q in zip(a, b, strict=True)), mix_distance(cut_a, cut_b, rule)
+    """k and gamma mix like energies, with rc as their distance. Measured: the cubic term of an unlike pair is zero."""
+    k, gamma = (mix_energy(a[q], b[q], cut_a, cut_b, rule) for q in (0, 1))
+    return (k, gamma, 0.0), mix_distance(cut_a, cut_b, rule)
 
 
 def write(coeffs: tuple[float, ...], cut: float, whole: bool) -> list[float]:
