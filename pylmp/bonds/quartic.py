@@ -54,6 +54,18 @@ def quartic(breakable: bool) -> Law:
     return law
 
 
+def single(r2: Any, c: Any, pair_energy: Any) -> Any:
+    """Energy of one bond as compute bond/local gives it: the pair energy leaves before the LJ term enters."""
+    k, b1, b2, rc, u0 = c
+    dr = sqrt(r2) - rc
+    ra = dr - b1
+    rb = dr - b2
+    s2 = 1.0 / r2
+    s6 = s2 * s2 * s2
+    wall = select(r2 < WALL2, 4.0 * s6 * (s6 - 1.0) + 1.0, 0.0)
+    return k * (dr * dr) * ra * rb + u0 - pair_energy + wall
+
+
 def no_single(sim: Any, _: Any) -> bool:
     return sim.pair is None or not sim.pair.style.single
 
@@ -72,7 +84,7 @@ for name, release in (("quartic", "quartic"), ("quartic/breakable", "")):
         BondStyle(
             name=name, manual="bond_quartic.html", coeffs=COEFFS, law=lambda options: quartic(True),
             restrictions=RESTRICTIONS, can_break=always(True), on_break="zero", breaks_in_setup=True,
-            subtract_pair=True, length=lambda coeffs, options: LENGTH, mixable=True, omp=True, release=release,
+            subtract_pair=True, single=single, length=lambda coeffs, options: LENGTH, mixable=True, omp=True, release=release,
         ),
     )  # fmt: skip
 

@@ -107,7 +107,7 @@ def single(
         if part.style.subtract_pair and sim.pair is not None and sim.pair.law is not None:
             table = sim.pair.table[sim.atoms.type[rows[mine]], sim.atoms.type[partners[mine]]]
             _, pair_energy = sim.pair.law(r2[mine], 0.0, 1.0, tuple(table.T))
-            energy[mine] = energy[mine] + -pair_energy
+            energy[mine] = part.style.single(r2[mine], tuple(part.table[kinds[mine]].T), pair_energy)
     return force, energy
 
 

@@ -19,8 +19,6 @@ from pylmp.text.words import Args
 @COMPUTES.register("count/type")
 class CountType(Compute):
     style = "count/type"
-    extensive_vector = True
-    extensive_scalar = True
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)

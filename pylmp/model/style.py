@@ -70,6 +70,7 @@ class BondStyle:
     breaks_in_setup     a bond may break before the first step
     lower_id_first      atom 1 of a bond is the lower ID
     subtract_pair       the pair interaction of bonded atoms is taken out again
+    single         (r2, c, pair energy) -> energy of one bond alone, where subtract_pair makes its order of operations matter
     updates_special     options -> broken pairs become ordinary neighbors
     length         (coefficients, options) -> length for LAMMPS's estimate of the communication cutoff
     mixable        may stand beside other such styles in bond_style hybrid
@@ -93,6 +94,7 @@ class BondStyle:
     breaks_in_setup: bool = False
     lower_id_first: bool = False
     subtract_pair: bool = False
+    single: Callable[..., Any] | None = None
     updates_special: Callable[[Options], bool] = NEVER
     length: Callable[[tuple[float, ...], Options], float] = lambda coeffs, options: 0.0
     mixable: bool = False
