@@ -30,10 +30,7 @@ def plastic(options: Options) -> Law:
         ep = select(e > ep + eps_p, e - eps_p, ep)
         ep = select(e < ep - eps_p, e + eps_p, ep)
         ri = 1.0 / r
-        if normalize:
-            force = -k * (e - ep)
-        else:
-            force = -k * (r - (1.0 + ep) * r0)
+        force = -k * (e - ep) if normalize else -k * (r - (1.0 + ep) * r0)
         force = force - gamma * dot * ri
         force = force * ri
         if smooth:

@@ -25,11 +25,9 @@ def bond_style(sim: Simulation, args: Args) -> None:
     if name.text == "none":
         sim.bond = None
         return
-    if name.text == "hybrid":
-        parts = _hybrid(sim, args)
-    else:
-        parts = [_part(sim, args, name, args.rest(), name.text)]
-    sim.bond = Bond(name.text if name.text == "hybrid" else parts[0].style.name, parts, sim.bond_types)
+    hybrid = name.text == "hybrid"
+    parts = _hybrid(sim, args) if hybrid else [_part(sim, args, name, args.rest(), name.text)]
+    sim.bond = Bond("hybrid" if hybrid else parts[0].style.name, parts, sim.bond_types)
     sim.atoms.set_history(sim.bond.memory)
     for part in parts:
         if part.options.get("store/local"):
