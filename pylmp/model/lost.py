@@ -14,11 +14,12 @@ if TYPE_CHECKING:
 
 
 def remove_lost(sim: Simulation) -> None:
-    """Drop owned atoms beyond non-periodic faces, as LAMMPS's exchange does: the last atom moves into the hole."""
+    """Drop owned atoms beyond the faces, as LAMMPS's exchange does: the last atom moves into the hole.
+
+    In periodic directions these are atoms more than one box length away, since wrapping moves by one at most.
+    """
     atoms, box = sim.atoms, sim.box
-    for d, periodic in enumerate(box.periodic):
-        if periodic:
-            continue
+    for d in range(3):
         x = atoms.x[: atoms.n, d]
         if not ((x < box.lo[d]) | (x >= box.hi[d])).any():
             continue

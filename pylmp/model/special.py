@@ -1,6 +1,7 @@
-"""Special neighbors: which atoms are one, two or three bonds apart (1-2, 1-3, 1-4 pairs).
+"""Special neighbors: who is one, two or three bonds away from whom (1-2, 1-3, 1-4 pairs), found from the bond slots.
 
-Source: LAMMPS manual, special_bonds.html; the printed block as measured on LAMMPS 22 Jul 2025.
+Source: LAMMPS manual, special_bonds.html; the printed block as measured on LAMMPS 22 Jul 2025: its maxima of 1-3 and 1-4
+count every path, also those of doubled bonds and rings; the lists hold every neighbor once, at its shortest distance.
 """
 
 from __future__ import annotations
@@ -9,79 +10,118 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.model.atoms import Ints
+from pylmp.model.bond import bond_pairs
 from pylmp.text.number import shortest
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
+_PATHS_AT_ONCE = 4_000_000  # a bound on memory: atoms are done in stretches with at most so many paths
+
+
+class Neighborhood:
+    """Neighbors one bond away: those of row i are rows member[first[i]:first[i + 1]], own bond slots first.
+
+    A bond counts whether it is on, off or broken, and as often as it is stored.
+    """
+
+    def __init__(self, sim: Simulation) -> None:
+        rows, _, partners = bond_pairs(sim, lambda kinds: np.ones(kinds.shape, bool))
+        known = partners >= 0
+        rows, partners = rows[known], partners[known]
+        if sim.newton_bond:
+            rows, partners = np.concatenate([rows, partners]), np.concatenate([partners, rows])
+        self.count = np.bincount(rows, minlength=sim.atoms.n)
+        self.first = np.concatenate([[0], np.cumsum(self.count)])
+        self.member = partners[np.argsort(rows, kind="stable")]
+
+    def expand(self, roots: Ints, rows: Ints) -> tuple[Ints, Ints]:
+        """All neighbors of each row of rows, each under the root of its row."""
+        counts = self.count[rows]
+        ends = np.cumsum(counts)
+        steps = np.arange(int(ends[-1]) if len(ends) else 0) - np.repeat(ends - counts, counts)
+        return np.repeat(roots, counts), self.member[np.repeat(self.first[rows], counts) + steps]
+
+    def paths(self) -> tuple[Ints, Ints, Ints]:
+        """(n,) numbers of 1-2, 1-3 and 1-4 paths from each atom, as LAMMPS counts them: only the first step back is left out."""
+        degree = self.count
+        owner = np.repeat(np.arange(len(degree)), degree)
+        two = np.bincount(owner, degree[self.member], len(degree)).astype(np.int64)
+        three = np.bincount(owner, two[self.member], len(degree)).astype(np.int64)
+        return degree, two - degree, three - degree * degree
+
 
 def build_special(sim: Simulation) -> None:
-    """Rebuild every atom's lists from its bonds (also those that are turned off or broken), and print what LAMMPS prints.
+    """Rebuild every atom's lists, and print what LAMMPS prints.
 
     1-3 lists are built only if their weights, or those of 1-4 pairs, differ from 1; 1-4 lists only if theirs do.
+    special_bonds angle (dihedral) yes leaves no 1-3 (1-4) neighbors: there are no angles here that could join them.
     """
-    settings, atoms = sim.special, sim.atoms
-    fourth = settings.lj[2] != 1.0 or settings.coul[2] != 1.0
-    third = fourth or settings.lj[1] != 1.0 or settings.coul[1] != 1.0
-    near = _bonded(sim)
-    shells = [near]
-    if third:
-        shells.append(_next_shell(near, near))
-    if fourth:
-        shells.append(_next_shell(near, shells[1]))
-    lists = [_without_repeats(tag, [shell.get(tag, []) for shell in shells]) for tag in atoms.tag[: atoms.n].tolist()]
-    longest = max((sum(map(len, one)) for one in lists), default=0)
-    room = max(longest, 1 + sim.extra_special) + sim.extra_special
-    atoms.widen_special(room)
-    atoms.special[: atoms.n] = 0
-    for row, one in enumerate(lists):
-        counts = np.cumsum([len(shell) for shell in one] + [0] * (3 - len(one)))
-        atoms.num_special[row] = counts
-        flat = [tag for shell in one for tag in shell]
-        atoms.special[row, : len(flat)] = flat
-    _announce(sim, shells, room)
-
-
-def _bonded(sim: Simulation) -> dict[int, list[int]]:
-    """ID -> IDs it is bonded to, in slot order; each bond seen from both ends."""
-    atoms = sim.atoms
-    result: dict[int, list[int]] = {}
-    tags = atoms.tag[: atoms.n].tolist()
-    for row, tag in enumerate(tags):
-        partners = atoms.bond_atom[row, : atoms.num_bond[row]].tolist()
-        result.setdefault(tag, []).extend(partners)
-        if sim.newton_bond:
-            for partner in partners:
-                result.setdefault(partner, []).append(tag)
-    return result
-
-
-def _next_shell(near: dict[int, list[int]], shell: dict[int, list[int]]) -> dict[int, list[int]]:
-    """One bond further than shell, the way back left out."""
-    return {
-        tag: [far for middle in middles for far in near.get(middle, []) if far != tag] for tag, middles in shell.items()
-    }
-
-
-def _without_repeats(tag: int, shells: list[list[int]]) -> list[list[int]]:
-    seen = {tag}
-    result = []
-    for shell in shells:
-        kept = []
-        for other in shell:
-            if other not in seen:
-                seen.add(other)
-                kept.append(other)
-        result.append(kept)
-    return result
-
-
-def _announce(sim: Simulation, shells: list[dict[int, list[int]]], room: int) -> None:
+    settings = sim.special
+    ones = (1.0, 1.0)
+    fourth = (settings.lj[2], settings.coul[2]) != ones
+    third = fourth or (settings.lj[1], settings.coul[1]) != ones
+    depth = 3 if fourth else 2 if third else 1
+    near = Neighborhood(sim)
+    paths = near.paths()
     lines = ["Finding 1-2 1-3 1-4 neighbors ..."]
-    for name, weights in (("lj:   ", sim.special.lj), ("coul: ", sim.special.coul)):
+    for name, weights in (("lj:   ", settings.lj), ("coul: ", settings.coul)):
         lines.append(f"  special bond factors {name} " + " ".join(f"{shortest(w):<8}" for w in weights))
-    for number, shell in enumerate(shells, 2):
-        lines.append(f"{max(map(len, shell.values()), default=0):6d} = max # of 1-{number} neighbors")
+    for k in range(depth):
+        lines.append(f"{int(paths[k].max(initial=0)):6d} = max # of 1-{k + 2} neighbors")
+    wanted = [True, third, fourth]
+    for k, flag, name in ((1, settings.angle, "angle"), (2, settings.dihedral, "dihedral")):
+        if flag and wanted[k]:
+            lines.append(f"  {int(paths[k].sum())} = # of 1-{k + 2} neighbors before {name} trim")
+            lines.append(f"  0 = # of 1-{k + 2} neighbors after {name} trim")
+            wanted[k] = False
+    longest = _fill(sim, near, wanted[:depth])
+    room = max(sim.atoms.max_special, longest, 1) + sim.extra_special
+    sim.extra_special = 0  # it counts once
+    sim.atoms.widen_special(room)
     lines.append(f"{room:6d} = max # of special neighbors")
     lines.append("  special bonds CPU = 0.000 seconds")
     sim.console.both("\n".join(lines) + "\n")
+
+
+def _fill(sim: Simulation, near: Neighborhood, wanted: list[bool]) -> int:
+    """Write the lists; returns the longest. wanted: whether neighbors one, two, three bonds away belong to them."""
+    n = sim.atoms.n
+    degree = near.count
+    cost = np.cumsum(degree + near.paths()[len(wanted) - 1] + degree * degree)
+    longest, begin = 0, 0
+    while begin < n:
+        spent = int(cost[begin - 1]) if begin else 0
+        end = min(n, max(begin + 1, int(np.searchsorted(cost, spent + _PATHS_AT_ONCE, side="right"))))
+        longest = max(longest, _fill_rows(sim, near, np.arange(begin, end), wanted))
+        begin = end
+    return longest
+
+
+def _fill_rows(sim: Simulation, near: Neighborhood, rows: Ints, wanted: list[bool]) -> int:
+    atoms = sim.atoms
+    roots, others, levels = [], [], []
+    root, other = rows, rows
+    for k, keep in enumerate(wanted):
+        root, other = near.expand(root, other)
+        if keep:
+            roots.append(root)
+            others.append(other)
+            levels.append(np.full(len(root), k))
+    root, other, level = np.concatenate(roots), np.concatenate(others), np.concatenate(levels)
+    foreign = root != other
+    root, other, level = root[foreign], other[foreign], level[foreign]
+    _, seen = np.unique(root * np.int64(atoms.n) + other, return_index=True)  # each where it comes first: levels ascend
+    seen.sort()
+    order = seen[np.argsort(root[seen], kind="stable")]
+    root, other, level = root[order], other[order], level[order]
+    counts = np.bincount(root - rows[0], minlength=len(rows))
+    longest = int(counts.max(initial=0))
+    atoms.widen_special(longest)
+    slot = np.arange(len(root)) - np.repeat(np.cumsum(counts) - counts, counts)
+    atoms.special[rows] = 0
+    atoms.special[root, slot] = atoms.tag[other]
+    for k in range(3):
+        atoms.num_special[rows, k] = np.bincount(root[level <= k] - rows[0], minlength=len(rows))
+    return longest

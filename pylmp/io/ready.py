@@ -1,0 +1,37 @@
+"""What LAMMPS does before a command that needs a complete system: check everything, wrap the atoms."""
+
+from __future__ import annotations
+
+from pylmp.io.neighbor_info import Request, announce
+from pylmp.model.ghosts import ghost_cutoff
+from pylmp.model.lost import remove_lost
+from pylmp.model.simulation import Simulation
+
+
+def initialise(sim: Simulation, *requests: Request) -> None:
+    """System init: every part checks itself; the log describes the neighbor lists, those of requests first."""
+    sim.init()
+    if sim.pair is not None:
+        announce(sim, (*requests, Request(f"pair {sim.pair.style.name}")))
+
+
+def wrap_atoms(sim: Simulation, shrink: bool = False) -> float:
+    """Atoms back into the box; those farther out are lost. Returns the ghost cutoff, with LAMMPS's warnings about it."""
+    atoms = sim.atoms
+    cutoff = ghost_cutoff(sim, warn=True)
+    if cutoff == 0.0:
+        sim.console.warning(
+            "Communication cutoff is 0.0. No ghost atoms will be generated. "
+            "Energies and forces may be wrong and atoms may get lost."
+        )
+    atoms.clear_ghosts()
+    sim.box.wrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
+    if shrink:
+        sim.box.shrink(atoms.x[: atoms.n])
+    x = atoms.x[: atoms.n]
+    if ((x < sim.box.lo) | (x >= sim.box.hi)).any():
+        for listed in sim.bond_lists:
+            listed.copy_back(sim)
+        sim.bond_lists = []  # they hold rows that become others'
+        remove_lost(sim)
+    return cutoff
