@@ -53,9 +53,10 @@ class BondLocal(Compute):
             )
 
     def local(self, sim: Simulation) -> Floats:
-        """(rows,) or (rows, columns) of bonds that are on."""
+        """(rows,) or (rows, columns): bonds that are not broken. Those turned off have no energy, force and memory: 0.0
+        (LAMMPS prints whatever its memory held before)."""
         atoms = sim.atoms
-        rows, slots, partners = rows_of_bonds(sim, self.members(sim), lambda kinds: kinds > 0)
+        rows, slots, partners = rows_of_bonds(sim, self.members(sim), lambda kinds: kinds != 0)
         d = sim.box.minimum_image(atoms.x[rows] - atoms.x[partners])
         kinds = atoms.bond_type[rows, slots]
         r2 = d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]
@@ -67,7 +68,7 @@ class BondLocal(Compute):
             over_r, energy = single(sim, rows, partners, kinds, r2, dot, memory)
             values |= {"engpot": energy, "force": values["dist"] * over_r}
             values |= {f"f{axis}": d[:, k] * over_r for k, axis in enumerate("xyz")}
-            values |= motion(sim, rows, partners, d, values["dist"])
+            values |= motion(sim, rows, partners)
             if memory.shape[1]:
                 values |= {"b1": memory[:, 0], "b2": (1.0 + memory[:, 1]) * memory[:, 0]}
         table = np.stack([values[name] for name in self.names], axis=1)
@@ -96,10 +97,13 @@ def remembered(sim: Simulation, rows: Ints, partners: Ints) -> Floats:
 def single(
     sim: Simulation, rows: Ints, partners: Ints, kinds: Ints, r2: Floats, dot: Floats, memory: Floats
 ) -> tuple[Floats, Floats]:
-    """Force over r and energy of each bond. quartic's energy has the pair energy taken out, its force has not, as in LAMMPS."""
+    """Force over r and energy of each bond, 0.0 where it is turned off.
+
+    As in LAMMPS quartic's energy has the pair energy taken out, its force has not.
+    """
     force, energy = np.zeros(len(rows)), np.zeros(len(rows))
     for part in sim.bond.parts:
-        mine = part.mine[kinds] != 0
+        mine = (kinds > 0) & (part.mine[np.abs(kinds)] != 0)
         if not mine.any():
             continue
         history = memory[mine][:, : part.memory]
@@ -111,25 +115,38 @@ def single(
     return force, energy
 
 
-def motion(sim: Simulation, rows: Ints, partners: Ints, d: Floats, dist: Floats) -> dict[str, Floats]:
-    """Kinetic energy of a bond's two atoms, split: of their center, of turning, of stretching; turning rate; stretching speed."""
-    m = sim.masses()
-    m1, m2 = m[rows], m[partners]
-    v1, v2 = sim.atoms.v[rows], sim.atoms.v[partners]
-    whole = m1 + m2
-    center = (m1[:, None] * v1 + m2[:, None] * v2) / whole[:, None]
+def motion(sim: Simulation, rows: Ints, partners: Ints) -> dict[str, Floats]:
+    """Kinetic energy of a bond's two atoms: of their center, of turning, of stretching; turning rate; stretching speed.
+
+    Like LAMMPS it takes the coordinates as stored: a bond across a periodic face counts as if it spanned the box.
+    Order of operations as measured on LAMMPS 22 Jul 2025.
+    """
+    masses, x, v = sim.masses(), sim.atoms.x, sim.atoms.v
+    m1, m2 = masses[rows], masses[partners]
+    inverse = 1.0 / (m1 + m2)
+    center, drift = _mean(m1, x[rows], m2, x[partners], inverse), _mean(m1, v[rows], m2, v[partners], inverse)
+    arm1, arm2 = x[rows] - center, x[partners] - center
+    own1, own2 = v[rows] - drift, v[partners] - drift
+    d = x[rows] - x[partners]
     with np.errstate(all="ignore"):
-        u = d / dist[:, None]
-        along = (u * (v2 - v1)).sum(axis=1)
-        reduced = m1 * m2 / whole
-        relative = v1 - v2
-        across2 = (relative * relative).sum(axis=1) - along * along
-        omega = np.sqrt(np.maximum(across2, 0.0)) / dist
-    half = 0.5 * sim.units.mvv2e
-    return {
-        "engtrans": half * whole * (center * center).sum(axis=1),
-        "engvib": half * reduced * along * along,
-        "engrot": half * reduced * across2,
-        "omega": omega,
-        "velvib": along,
-    }
+        along = d * (1.0 / np.sqrt(_dot(d, d)))[:, None]
+        speed1, speed2 = _dot(own1, along), _dot(own2, along)
+        omega2 = (_dot(own1, own1) - speed1 * speed1) / _dot(arm1, arm1)
+        inertia = m1 * _dot(arm1, arm1) + m2 * _dot(arm2, arm2)
+        half = 0.5 * sim.units.mvv2e
+        return {
+            "engtrans": half * (m1 + m2) * _dot(drift, drift),
+            "engvib": half * (m1 * speed1 * speed1 + m2 * speed2 * speed2),
+            "engrot": half * inertia * omega2,
+            "omega": np.sqrt(omega2),
+            "velvib": speed1 - speed2,
+        }
+
+
+def _mean(m1: Floats, a: Floats, m2: Floats, b: Floats, inverse: Floats) -> Floats:
+    """Mass-weighted mean of the vectors a and b (rows, 3)."""
+    return np.asarray((m1[:, None] * a + m2[:, None] * b) * inverse[:, None])
+
+
+def _dot(a: Floats, b: Floats) -> Floats:
+    return np.asarray(a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1] + a[:, 2] * b[:, 2])
