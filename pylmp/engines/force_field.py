@@ -11,7 +11,7 @@ from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.exact.bond import bond_loop
 from pylmp.kernels.exact.pair import pair_loop
 from pylmp.kernels.store import kernel, prepare
-from pylmp.model.bondlist import BondList, Breaks
+from pylmp.model.bondlist import BondList, Breaks, misplace
 from pylmp.model.neighbor import NeighborList
 
 if TYPE_CHECKING:
@@ -86,9 +86,12 @@ class ForceField:
         if self.neighbors is not None:
             self.neighbors.build(sim, cutoff)
         for listed in self.bonds:
-            if not listed.part.stored:
+            first = not listed.part.stored
+            if first:
                 listed.store_reference(sim)
             listed.build(sim, self.ghosts, sim.lost_bonds_tolerated)
+            if first and len(self.bonds) > 1:
+                misplace(sim, listed, self.ghosts)
         self._held = atoms.x[: atoms.n].copy()
         self._held_box = np.array([sim.box.lo, sim.box.hi])
         self._bind(sim)
@@ -136,16 +139,18 @@ class ForceField:
     def bonded(self, sim: Simulation, tally: bool, setup: bool, breaks: Breaks) -> None:
         """Bonds of each style in turn; then what breaks is booked."""
         energy = 0.0
-        self._virial[:] = 0.0
+        virial = np.zeros(6)
         for listed, calls in zip(self.bonds, self._bond_calls, strict=True):
+            self._virial[:] = 0.0
             broken = calls[tally, not setup or listed.part.style.breaks_in_setup]()
             energy += self._sums[0]
+            virial += self._virial
             if broken:
                 breaks.record(sim, listed, int(broken))
         if tally:
             sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
             sim.tally.pair_virial[:] = self._pair_virial.tolist()
-            sim.tally.bond_virial[:] = self._virial.tolist()
+            sim.tally.bond_virial[:] = virial.tolist()
 
     def anybody_moved(self, sim: Simulation) -> bool:
         """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,9 +23,10 @@ if TYPE_CHECKING:
 class BondList:
     """bonds (capacity, 3) int64: rows of the two ends and the type (0: broken); history (capacity, memory)."""
 
-    def __init__(self, sim: Simulation, part: BondPart) -> None:
+    def __init__(self, sim: Simulation, part: BondPart | _Everything) -> None:
         self.part = part
         self.count = 0
+        self.misplaced: BondList | None = None
         self.bonds = np.zeros((64, 3), np.int64)
         self.history = np.zeros((64, sim.bond.memory))
         self.broken = np.zeros(64, np.int64)
@@ -36,6 +38,7 @@ class BondList:
 
     def build(self, sim: Simulation, ghosts: Ghosts, tolerant: bool = False) -> None:
         """List the bonds; ghosts are there. Raises ScriptError when a partner is nowhere."""
+        self.misplaced = None
         atoms = sim.atoms
         while True:
             count = kernel(self._list).bind(
@@ -65,6 +68,12 @@ class BondList:
 
     def copy_back(self, sim: Simulation) -> None:
         """What bonds remember, from the list to the slots of their owned ends."""
+        if self.misplaced is not None:
+            self.misplaced.history[:] = 0.0
+            self.misplaced.history[: self.count] = self.history[: self.count]
+            self.misplaced.copy_back(sim)
+            self.misplaced = None
+            return
         atoms = sim.atoms
         if self.part.memory and self.count:
             kernel(self._back).bind(
@@ -83,6 +92,24 @@ class BondList:
         d = sim.box.minimum_image(x[rows] - x[partners])
         sim.atoms.bond_history[rows, slots] = 0.0
         sim.atoms.bond_history[rows, slots, 0] = np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2])
+
+
+@dataclass(frozen=True)
+class _Everything:
+    """Stands for a style that owns every bond type."""
+
+    mine: np.ndarray[tuple[int], np.dtype[np.uint8]]
+    memory: int
+
+
+def misplace(sim: Simulation, listed: BondList, ghosts: Ghosts) -> None:
+    """Under hybrid, LAMMPS keeps what it stores at the first evaluation in the order of the style's own list, and takes it back at
+    the next rebuild as if it were in the order of all bonds: entry n of all bonds gets what entry n of the style's list remembers,
+    and entries beyond get 0, so that their r0 is taken anew. Later rebuilds are right. Measured on LAMMPS 22 Jul 2025."""
+    types = np.ones(sim.bond_types + 1, np.uint8)
+    whole = BondList(sim, _Everything(types, sim.bond.memory))
+    whole.build(sim, ghosts)
+    listed.misplaced = whole
 
 
 class Breaks:

@@ -46,12 +46,13 @@ def _around(bonds: str) -> tuple[list[str], list[str]]:
     ]
     if bonds and bonds not in ("none", "zero"):
         remembers = bonds.startswith("bpm/")
+        force = "" if bonds == "hybrid" else " force"  # LAMMPS's single force under hybrid has no meaning for bpm
         before += [
             "compute pylmp_ends all property/local batom1 batom2 btype",
-            "compute pylmp_bonds all bond/local dist engpot force" + (" b1 b2" if remembers else ""),
+            f"compute pylmp_bonds all bond/local dist engpot{force}" + (" b1 b2" if remembers else ""),
         ]
         columns = [f"c_pylmp_ends[{k}]" for k in (1, 2, 3)] + [
-            f"c_pylmp_bonds[{k}]" for k in range(1, 6 if remembers else 4)
+            f"c_pylmp_bonds[{k}]" for k in range(1, 3 + bool(force) + 2 * remembers)
         ]
         after += [
             f"write_dump all local {BONDS} {' '.join(columns)} modify append yes {_PRECISE}",

@@ -10,7 +10,7 @@ CLOCKS = {"CPU", "T/CPU", "S/CPU", "CPULeft", "TimeoutLeft", "Part"}  # they mea
 _ANSWERS = re.compile(
     r"^\s*(\d+ total (bonds|angles)|Added \d+ bonds|Deleted \d+|\d+ = max # of|special bond factors|Created \d+ atoms"
     r"|\d+ atoms in group|\d+ settings made|Total # of neighbors|Ave (special )?neighs/atom|Neighbor list builds"
-    r"|Dangerous builds|Nlocal:|Nghost:|Neighs:|WARNING: (?!.*deprecated))"
+    r"|Dangerous builds|Nlocal:|Nghost:|Neighs:|WARNING: (?!.*deprecated|\[D))"
 )
 _CELL = re.compile(r"(\S+)\s+=\s+(\S+)")
 
