@@ -11,6 +11,7 @@ relative to r0 and the order of operations as measured on LAMMPS 22 Jul 2025.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from pylmp.bonds.bpm import RESTRICTIONS, parse
@@ -66,6 +67,7 @@ BONDS.add(
         lower_id_first=True,
         updates_special=lambda options: bool(options["break"]) and not options["overlay/pair"],
         mixable=True,
+        freeze=lambda coeffs: (*coeffs[:3], math.inf),  # one bond alone does not yield
         writes=False,
         release="bpm/spring/plastic",
     ),

@@ -59,11 +59,12 @@ class BondLocal(Compute):
         rows, slots, partners = rows_of_bonds(sim, self.members(sim), lambda kinds: kinds != 0)
         d = sim.box.minimum_image(atoms.x[rows] - atoms.x[partners])
         kinds = atoms.bond_type[rows, slots]
-        r2 = d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]
+        r2 = _dot(d, d)
         values: dict[str, Any] = {"dist": np.sqrt(r2), "dx": d[:, 0], "dy": d[:, 1], "dz": d[:, 2]}
         if not set(self.names) <= set(values):
             v = atoms.v[rows] - atoms.v[partners]
-            dot = d[:, 0] * v[:, 0] + d[:, 1] * v[:, 1] + d[:, 2] * v[:, 2]
+            apart = atoms.x[rows] - atoms.x[partners]  # not the minimum image: LAMMPS's damping here takes none
+            dot = apart[:, 0] * v[:, 0] + apart[:, 1] * v[:, 1] + apart[:, 2] * v[:, 2]
             memory = remembered(sim, rows, partners)
             over_r, energy = single(sim, rows, partners, kinds, r2, dot, memory)
             values |= {"engpot": energy, "force": values["dist"] * over_r}

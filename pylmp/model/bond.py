@@ -48,7 +48,7 @@ class BondPart:
     def evaluate(self, kinds: Ints, r2: Floats, dot: Floats, history: Floats) -> tuple[Floats, Floats]:
         """Force over r and energy of many bonds by the law itself. history: (bonds, memory)."""
         force, energy = np.zeros(len(r2)), np.zeros(len(r2))
-        columns = tuple(self.table[kinds].T)
+        columns = self.style.freeze(tuple(self.table[kinds].T))
         with np.errstate(all="ignore"):
             result = self.law(r2, dot, tuple(history.T), columns)
         force[:], energy[:] = result[0], result[1]

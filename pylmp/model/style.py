@@ -74,6 +74,7 @@ class BondStyle:
     updates_special     options -> broken pairs become ordinary neighbors
     length         (coefficients, options) -> length for LAMMPS's estimate of the communication cutoff
     mixable        may stand beside other such styles in bond_style hybrid
+    freeze         coefficients -> those with which evaluating one bond alone leaves its memory as it is
     writes         write_data prints its coefficients
     omp            the manual lists an /omp name: the same law
     release        its name in the LAMMPS release, "" if it has none
@@ -95,6 +96,7 @@ class BondStyle:
     lower_id_first: bool = False
     subtract_pair: bool = False
     single: Callable[..., Any] | None = None
+    freeze: Callable[[Any], Any] = lambda coeffs: coeffs
     updates_special: Callable[[Options], bool] = NEVER
     length: Callable[[tuple[float, ...], Options], float] = lambda coeffs, options: 0.0
     mixable: bool = False
