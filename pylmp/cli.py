@@ -55,11 +55,23 @@ def _parser() -> argparse.ArgumentParser:
     add("-echo", "-e", default="log", choices=("none", "screen", "log", "both"), help="where commands are repeated")
     add("-skiprun", "-sr", action="store_true", help="set up every run, make no steps")
     add("-nocite", "-nc", action="store_true", help="accepted: nothing is cited anyway")
-    add("-suffix", "-sf", nargs="+", metavar="STYLE", help="accepted, without effect: styles have one implementation here")
+    add(
+        "-suffix",
+        "-sf",
+        nargs="+",
+        metavar="STYLE",
+        help="accepted, without effect: styles have one implementation here",
+    )
     add("-package", "-pk", nargs="+", metavar="WORD", help="accepted, without effect")
     add("--strict", action="store_true", help="accept exactly what LAMMPS 22 Jul 2025 accepts")
     add("--engine", default="auto", choices=ENGINES, help="who carries out the runs")
-    add("--allow", action="append", default=[], choices=("write",), help="let the script write outside the working directory")
+    add(
+        "--allow",
+        action="append",
+        default=[],
+        choices=("write",),
+        help="let the script write outside the working directory",
+    )
     add("--version", action="version", version=f"pylmp {__version__}")
     return parser
 
@@ -98,18 +110,19 @@ class Session:
         console.both(f"{BANNER}\n  using 1 OpenMP thread(s) per MPI task\n")
         if options.suffix or options.package:
             console.both("-sf and -pk are accepted and change nothing: each style has one implementation here\n")
+        finished = False
         try:
             for name, *values in options.var:
                 interpreter.variables.set_index(name, values)
             text = read_script(Path(path)) if path else sys.stdin.read()
             interpreter.run(text, str(path or "<stdin>"))
-            code = OK
+            code, finished = OK, True
         except BaseException as error:
             code = self._explain(error, interpreter)
         finally:
             for dump in sim.output.dumps.values():
                 dump.close()
-        if code == OK:
+        if finished:
             seconds = int(time.monotonic() - self.started)
             console.both(f"Total wall time: {seconds // 3600}:{seconds // 60 % 60:02d}:{seconds % 60:02d}\n")
         self._close(console)

@@ -7,9 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
 
+from pylmp.kernels import disk
 from pylmp.model.registry import COMMANDS
 from pylmp.model.simulation import Simulation
 from pylmp.references import Scope
+from pylmp.text import grammar
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.grammar import Rejection, check, rules
 from pylmp.text.lines import Text, as_ascii, decode, logical_lines, plain
@@ -18,6 +20,7 @@ from pylmp.text.substitute import split, substitute
 from pylmp.text.variables import Variables, immediate
 from pylmp.text.words import Args, Word
 
+grammar.store = disk  # parser tables are kept where machine code is
 _DEEPEST = 16  # files that include files
 
 
@@ -115,9 +118,14 @@ class Interpreter:
         """Execute one command given as text that stands at span."""
         self.execute_line(plain(text, span))
 
+    def execute_word(self, word: Word) -> None:
+        """Execute the command that a quoted word holds."""
+        self.execute_line(plain(word.text, inside(word)))
+
     def execute_line(self, line: Text) -> None:
         """Echo, substitute, split, check the shape, carry out."""
         self._echo(line.text)
+        typed = line
         if not line.text.isascii():
             line = self._as_ascii(line)
         line = substitute(line, self._lookup, self._echo)
@@ -127,7 +135,7 @@ class Interpreter:
         owner = words[0]
         command = COMMANDS.find(owner.text) if owner.text in rules() else None
         if command is None:
-            self._unknown(line, owner)
+            self._unknown(typed, owner)
         if command.needs_box and not self.sim.has_box:
             raise ScriptError(
                 f"{command.name.capitalize()} command before simulation box is defined", owner.span,
@@ -142,9 +150,9 @@ class Interpreter:
         if rejection is not None:
             complain(rejection, args)
 
-    def substitute_text(self, word: Word) -> str:
-        """The text of a word with its references replaced: what print and if do with quoted words."""
-        return substitute(plain(word.text, inside(word)), self._lookup, start="inner").text
+    def substitute_text(self, word: Word, echo: bool = False) -> str:
+        """The text of a word with its references replaced: what print, if and string variables do with quoted words."""
+        return substitute(plain(word.text, inside(word)), self._lookup, self._echo if echo else None, "inner").text
 
     def _lookup(self, key: str, is_formula: bool) -> str:
         if is_formula:
@@ -180,19 +188,23 @@ class Interpreter:
             )  # fmt: skip
         near = COMMANDS.near(owner.text)
         raise ScriptError(
-            f"Unknown command: {line.text.strip()}", owner.span, manual="Commands_all.html",
+            f"Unknown command: {line.text}", owner.span, manual="Commands_all.html",
             hint=f"did you mean {near}?" if near else "",
         )  # fmt: skip
 
 
 # Commands of LAMMPS that pylmp lacks: known, not misspelled.
 ELSEWHERE = frozenset(
-    """angle_coeff angle_style angle_write balance bond_write change_box comm_style compute_modify create_box2 delete_atoms dielectric
-    dihedral_coeff dihedral_style dihedral_write dump2vtk dynamical_matrix fix_modify geturl group2ndx improper_coeff improper_style
-    info kim kspace_modify kspace_style labelmap mdi min_modify min_style minimize minimize/kk molecule neb ndx2group package
-    pair_write partition plugin prd processors python read_dump read_restart replicate rerun reset_atoms restart run_style shell
-    suffix tad temper thermo_log third_order timer write_coeff write_restart""".split()
-)
+    {
+        "angle_coeff", "angle_style", "angle_write", "balance", "bond_write", "change_box", "comm_style",
+        "compute_modify", "delete_atoms", "dielectric", "dihedral_coeff", "dihedral_style", "dihedral_write", "dump2vtk",
+        "dynamical_matrix", "fix_modify", "geturl", "group2ndx", "improper_coeff", "improper_style", "info", "kim",
+        "kspace_modify", "kspace_style", "labelmap", "mdi", "min_modify", "min_style", "minimize", "molecule", "neb",
+        "ndx2group", "package", "pair_write", "partition", "plugin", "prd", "processors", "python", "read_dump",
+        "read_restart", "replicate", "rerun", "reset_atoms", "restart", "run_style", "shell", "suffix", "tad", "temper",
+        "thermo_log", "third_order", "timer", "write_coeff", "write_restart",
+    }
+)  # fmt: skip
 
 
 def read_script(path: Path, span: Span | None = None) -> str:
@@ -200,7 +212,11 @@ def read_script(path: Path, span: Span | None = None) -> str:
     try:
         data = path.read_bytes()
     except OSError as error:
-        raise ScriptError(f"Cannot open input script {path}: {error.strerror}", span, hint="the path is relative to the working directory") from None
+        raise ScriptError(
+            f"Cannot open input script {path}: {error.strerror}",
+            span,
+            hint="the path is relative to the working directory",
+        ) from None
     return decode(data, str(path))
 
 
@@ -213,7 +229,9 @@ def complain(rejection: Rejection, args: Args) -> NoReturn:
         args.as_number(word)
     if "integer" in rejection.expected:
         args.as_integer(word)
-    args.illegal(word, hint=f"here may stand: {' '.join(rejection.expected)}" if rejection.expected else "nothing follows here")
+    args.illegal(
+        word, hint=f"here may stand: {' '.join(rejection.expected)}" if rejection.expected else "nothing follows here"
+    )
 
 
 def inside(word: Word) -> Span | None:
@@ -228,5 +246,3 @@ def inside(word: Word) -> Span | None:
 def run_text(sim: Simulation, text: str, name: str = "<script>") -> None:
     """Execute a script given as text: the short way in for programs."""
     Interpreter(sim).run(text, name)
-
-

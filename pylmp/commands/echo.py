@@ -12,8 +12,7 @@ MODES = ("none", "screen", "log", "both")
 @command("echo")
 def echo(sim: Simulation, args: Args) -> None:
     """Where commands are repeated as they are carried out."""
-    if len(args) != 1:
-        args.illegal(args.owner)
+    args.expect(1, 1, "1 argument")
     word = args.word()
     if word.text not in MODES:
         args.fail(f"Unknown echo keyword: {word.text}", word, hint=" ".join(MODES))

@@ -11,28 +11,32 @@ from pylmp.text.words import Args, Word
 @command("if", manual="if.html")
 def if_(sim: Simulation, args: Args) -> None:
     """Carry out the commands of the first condition that holds."""
-    if len(args) < 3:
-        args.missing()
-    condition = args.word()
-    then = args.word()
-    if then.text != "then":
-        args.illegal(then, hint='if "condition" then "command"')
+    args.need(3)
+    true = _holds(sim, args, args.word())
+    keyword = args.word()
+    if keyword.text != "then":
+        hint = 'if "condition" then "command"'
+        args.fail(f'Illegal if command: expected "then" but found "{keyword.text}"', keyword, hint=hint)
     while True:
         commands = _commands(args)
-        if not commands:
-            args.illegal(args.peek() or args.words[-1], hint="commands follow, each in quotes")
-        if _holds(sim, args, condition):
+        if true:
+            if not commands and keyword.text != "else":
+                part = "then" if keyword.text == "then" else "elif/else"
+                args.fail(
+                    f"Illegal if {part} command: missing argument(s)", keyword, hint="commands follow, each in quotes"
+                )
             for one in commands:
-                sim.script.execute(one.text, one.span)
+                sim.script.execute_word(one)
             return
         if not len(args):
             return
         keyword = args.word()
         if keyword.text == "else":
-            for one in _commands(args):
-                sim.script.execute(one.text, one.span)
-            return
-        condition = args.word()
+            true = True
+        elif len(args) < 2:
+            args.fail("Illegal if elif/else command: missing argument(s)", keyword, hint='elif "condition" "command"')
+        else:
+            true = _holds(sim, args, args.word())
 
 
 def _commands(args: Args) -> list[Word]:

@@ -10,8 +10,7 @@ from pylmp.text.words import Args
 @command("jump")
 def jump(sim: Simulation, args: Args) -> None:
     """Go on in a file, from its start or from a label."""
-    if not 1 <= len(args) <= 2:
-        args.illegal(args.owner)
+    args.expect(1, 2, "1 or 2 argument(s)")
     file = args.word()
     label = args.word() if len(args) else None
     span = (label or file).span

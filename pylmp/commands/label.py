@@ -10,5 +10,4 @@ from pylmp.text.words import Args
 @command("label")
 def label(sim: Simulation, args: Args) -> None:
     """A place to jump to; carrying it out does nothing."""
-    if len(args) != 1:
-        args.illegal(args.owner)
+    args.expect(1, 1, "1 argument")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TextIO, cast
+
 from pylmp.model.paths import writable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
@@ -11,8 +13,7 @@ from pylmp.text.words import Args
 @command("log")
 def log(sim: Simulation, args: Args) -> None:
     """Close the log file and open another."""
-    if not 1 <= len(args) <= 2:
-        args.illegal(args.owner)
+    args.expect(1, 2, "1 or 2 argument(s)")
     word = args.word()
     mode = "w"
     if len(args):
@@ -21,10 +22,10 @@ def log(sim: Simulation, args: Args) -> None:
             args.fail(f"Unknown log keyword: {key.text}", key, hint="append")
         mode = "a"
     console = sim.console
-    stream = None
+    stream: TextIO | None = None
     if word.text != "none":
         try:
-            stream = writable(sim, word).open(mode)
+            stream = cast(TextIO, writable(sim, word).open(mode))
         except OSError as error:
             args.fail(f"Cannot open logfile {word.text}: {error.strerror}", word)
     if console.log_file is not None:

@@ -11,7 +11,5 @@ from pylmp.text.words import Args
 @command("quit")
 def quit_(sim: Simulation, args: Args) -> None:
     """End the script with an exit code."""
-    code = args.integer() if len(args) else 0
-    if len(args):
-        args.illegal(args.peek())
-    raise Quit(code)
+    args.expect(0, 1, "0 or 1 argument")
+    raise Quit((args.integer() if len(args) else 0) & 255)

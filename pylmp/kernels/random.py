@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.text.diagnostic import ScriptError
 
 _MODULUS, _FACTOR, _QUOTIENT, _REMAINDER = 2147483647, 16807, 127773, 2836
 _SCALE = 1.0 / _MODULUS
@@ -38,7 +37,29 @@ def mars(table: Any, state: Any) -> float:
     return u
 
 
-class RanMars:
+class _Gaussian:
+    """Gaussian numbers from uniform ones by the polar method; every second one was kept from the first."""
+
+    _spare: float | None = None
+
+    def uniform(self) -> float:
+        raise NotImplementedError
+
+    def gaussian(self) -> float:
+        if self._spare is not None:
+            spare, self._spare = self._spare, None
+            return spare
+        while True:
+            a, b = 2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0
+            r2 = a * a + b * b
+            if 0.0 < r2 < 1.0:
+                break
+        factor = math.sqrt(-2.0 * math.log(r2) / r2)
+        self._spare = a * factor
+        return b * factor
+
+
+class RanMars(_Gaussian):
     """table and state are plain arrays, so that a kernel may draw from them. Seeds 1 to 900000000, else ValueError."""
 
     def __init__(self, seed: int) -> None:
@@ -64,12 +85,11 @@ class RanMars:
         return float(mars(self.table, self.state))
 
 
-class RanPark:
-    """uniform numbers in (0, 1) and gaussian ones by the polar method."""
+class RanPark(_Gaussian):
+    """uniform numbers in (0, 1) and gaussian ones."""
 
     def __init__(self, seed: int) -> None:
         self.seed = seed
-        self._spare: float | None = None
 
     def uniform(self) -> float:
         k = self.seed // _QUOTIENT
@@ -77,19 +97,6 @@ class RanPark:
         if self.seed < 0:
             self.seed += _MODULUS
         return _SCALE * self.seed
-
-    def gaussian(self) -> float:
-        if self._spare is not None:
-            spare, self._spare = self._spare, None
-            return spare
-        while True:
-            a, b = 2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0
-            r2 = a * a + b * b
-            if 0.0 < r2 < 1.0:
-                break
-        factor = math.sqrt(-2.0 * math.log(r2) / r2)
-        self._spare = a * factor
-        return b * factor
 
     def skip(self, count: int) -> None:
         for _ in range(count):

@@ -1,15 +1,19 @@
 """Conditions of the if command.
 
-Two numbers compare as numbers, anything else as text, and text knows == and != only.
+Two numbers compare as numbers, two words by == and != only.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from lark import UnexpectedInput
+from lark import Token, Tree, UnexpectedInput
 
+from pylmp.text.formula import number
+from pylmp.text.functions import FormulaError, compare
 from pylmp.text.grammar import parser
+
+_SYNTAX = "Invalid Boolean syntax in if command"
 
 
 class ConditionError(Exception):
@@ -21,45 +25,42 @@ def holds(text: str) -> bool:
     try:
         tree: Any = parser("condition").parse(text)
     except UnexpectedInput:
-        raise ConditionError("Invalid Boolean syntax in if command") from None
-    if tree.data in ("word", "quoted"):
-        raise ConditionError("Invalid Boolean syntax in if command")
-    return _value(tree) != 0.0
+        unclosed = text.count("(") > text.count(")")
+        raise ConditionError("Invalid syntax in variable formula" if unclosed else _SYNTAX) from None
+    value = _value(tree)
+    if isinstance(value, str):
+        raise ConditionError("If command boolean cannot be single string")
+    return value != 0.0
 
 
-def _value(node: Any) -> float | str:
-    kind = str(node.data)
-    if kind == "quoted":
-        return str(node.children[0])[1:-1]
+def _value(tree: Tree[Token]) -> float | str:
+    """Walks the tree from its leaves up, without recursion."""
+    values: dict[int, float | str] = {}
+    for node in tree.iter_subtrees():
+        parts = [values[id(child)] for child in node.children if isinstance(child, Tree)]
+        sign = next(str(child) for child in node.children if isinstance(child, Token))
+        values[id(node)] = _one(str(node.data), sign, parts)
+    return values[id(tree)]
+
+
+def _one(kind: str, text: str, parts: list[float | str]) -> float | str:
     if kind == "word":
-        return _number(str(node.children[0]))
-    if kind == "negation":
-        value = _value(node.children[0])
-        if isinstance(value, str):
-            raise ConditionError("Invalid Boolean syntax in if command")
-        return float(value == 0.0)
-    return _compare(str(node.children[1]), _value(node.children[0]), _value(node.children[2]))
-
-
-def _number(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
         return text
-
-
-def _compare(sign: str, a: float | str, b: float | str) -> float:
-    if sign in ("==", "!="):
+    if kind == "number":
+        try:
+            return number(text.removeprefix("-")) * (-1.0 if text.startswith("-") else 1.0)
+        except FormulaError:
+            raise ConditionError(_SYNTAX) from None
+    a = parts[0]
+    if kind == "negation":
+        if isinstance(a, str):
+            raise ConditionError("If command boolean not cannot operate on string")
+        return float(a == 0.0)
+    b = parts[1]
+    if isinstance(a, str) or isinstance(b, str):
+        if text not in ("==", "!="):
+            raise ConditionError("If command boolean can only operate on numbers")
         if type(a) is not type(b):
             raise ConditionError("If command boolean is comparing string to number")
-        return float((a == b) == (sign == "=="))
-    if isinstance(a, str) or isinstance(b, str):
-        both = isinstance(a, str) and isinstance(b, str)
-        raise ConditionError(
-            "If command boolean can only operate on numbers" if both else "If command boolean is comparing string to number"
-        )
-    truth = {
-        "<": a < b, "<=": a <= b, ">": a > b, ">=": a >= b,
-        "&&": a != 0.0 and b != 0.0, "||": a != 0.0 or b != 0.0, "|^": (a != 0.0) != (b != 0.0),
-    }  # fmt: skip
-    return float(truth[sign])
+        return float((a == b) == (text == "=="))
+    return compare(text, a, b)

@@ -1,4 +1,4 @@
-"""Formulas: parsed by Lark, evaluated by walking the tree. No eval.
+"""Formulas of equal-style variables and of ``$(...)``: parsed by Lark, evaluated on a stack. No eval, no recursion.
 
 Source: LAMMPS manual, variable.html; precedence and sentences as measured on LAMMPS 22 Jul 2025.
 """
@@ -6,148 +6,163 @@ Source: LAMMPS manual, variable.html; precedence and sentences as measured on LA
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import re
+from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from lark import Token, Tree, UnexpectedInput
 
-from pylmp.text.diagnostic import ScriptError
+from pylmp.text.diagnostic import Unsupported
+from pylmp.text.functions import FUNCTIONS, FormulaError, compare, power
 from pylmp.text.grammar import parser
 
-_DEEPEST = 200  # nested parentheses and calls
-_LONGEST = 20000  # characters
 VERSION = 20250722.0
+_BY_NAME = frozenset(("is_defined", "is_file", "count"))  # their arguments are names, not values
+_ELSEWHERE = frozenset(
+    {
+        "logfreq2", "logfreq3", "stride2", "mass", "charge", "xcm", "vcm", "fcm", "bound", "gyration", "ke", "angmom", "torque",
+        "inertia", "omega", "sum", "min", "max", "ave", "trap", "slope", "sort", "rsort", "gmask", "rmask", "grmask", "next",
+        "is_active", "is_available", "is_os", "is_timeout", "extract_setting", "label2type", "is_typelabel",
+    }
+)  # fmt: skip
+
+
+class Clock(NamedTuple):
+    """What functions of time refer to: current step, first and last step of the run, timestep size."""
+
+    step: int
+    begin: int
+    end: int
+    dt: float
 
 
 class Scope(Protocol):
-    """What a formula may refer to."""
+    """What a formula may refer to. Each raises ScriptError with LAMMPS's sentence."""
 
-    def variable(self, name: str, index: tuple[int, ...]) -> float: ...
-    def compute(self, name: str, index: tuple[int, ...]) -> float: ...
-    def fix(self, name: str, index: tuple[int, ...]) -> float: ...
+    def variable(self, name: str, index: Sequence[int]) -> float: ...
+    def compute(self, name: str, index: Sequence[int]) -> float: ...
+    def fix(self, name: str, index: Sequence[int]) -> float: ...
     def keyword(self, name: str) -> float: ...
+    def atom(self, name: str, tag: int) -> float: ...
+    def named(self, function: str, names: Sequence[str]) -> float: ...
+    def random(self, seed: int) -> Any: ...
+    def clock(self) -> Clock: ...
 
 
-class FormulaError(Exception):
-    """A formula is wrong; the caller adds whose it is and where it stands."""
+class Step(NamedTuple):
+    """One step of a formula's program: takes some values from the stack and puts one there."""
+
+    kind: str
+    text: str
+    takes: int
+    names: tuple[str, ...] = ()
 
 
-@lru_cache(maxsize=2000)
-def parse(text: str) -> Tree[Token]:
-    """The tree of a formula. Raises FormulaError."""
-    if len(text) > _LONGEST or text.count("(") > _DEEPEST:
-        raise FormulaError("Too long or too deeply nested a variable formula")
+@lru_cache(2000)
+def program(text: str) -> tuple[Step, ...]:
+    """A formula as steps in the order in which LAMMPS carries them out. Raises FormulaError."""
     try:
-        return parser("formula").parse(text)  # type: ignore[return-value]
+        tree: Any = parser("formula").parse(text)
     except UnexpectedInput:
         raise FormulaError("Invalid syntax in variable formula") from None
+    steps: list[Step] = []
+    waiting: list[Tree[Token]] = [tree]
+    while waiting:
+        node = waiting.pop()
+        head = next((child for child in node.children if isinstance(child, Token)), None)
+        parts = [child for child in node.children if isinstance(child, Tree)]
+        if node.data == "call" and (head in _BY_NAME or head in _ELSEWHERE):
+            names = tuple(str(t) for part in parts for t in part.scan_values(lambda v: isinstance(v, Token)))
+            steps.append(Step("names", str(head), 0, names))
+            continue
+        steps.append(Step(str(node.data), str(head), len(parts)))
+        waiting.extend(parts)
+    return tuple(reversed(steps))
 
 
 def evaluate(text: str, scope: Scope) -> float:
-    """The value of a formula. Raises FormulaError or whatever scope raises (ScriptError)."""
-    return _value(parse(text), scope)
+    """The value of a formula. Raises FormulaError, or ScriptError from scope."""
+    stack: list[float] = []
+    for step in program(text):
+        at = len(stack) - step.takes
+        values = stack[at:]
+        del stack[at:]
+        stack.append(_carry_out(step, values, scope))
+    return stack[0] + 0.0  # a result of -0 is 0
 
 
-def _value(node: Any, scope: Scope) -> float:
-    kind = str(node.data)
-    parts = node.children
+def _carry_out(step: Step, values: list[float], scope: Scope) -> float:
+    kind, text = step.kind, step.text
     if kind == "number":
-        return float(parts[0])
-    if kind == "negative":
-        return -_value(parts[1], scope)
-    if kind == "negation":
-        return 1.0 if _value(parts[1], scope) == 0.0 else 0.0
+        return number(text)
+    if kind == "binary":
+        return _operate(text, values[0], values[1])
+    if kind == "unary":
+        return -values[0] if text == "-" else float(values[0] == 0.0)
     if kind == "reference":
-        name = str(parts[0])
-        index = tuple(int(_value(p.children[0], scope)) for p in parts[1:])
-        look = {"v": scope.variable, "c": scope.compute, "f": scope.fix}[name[0]]
-        return look(name[2:], index)
-    if kind == "word":
-        return _word(str(parts[0]), parts[1:], scope)
+        look = {"v": scope.variable, "c": scope.compute, "f": scope.fix}[text[0]]
+        return look(text[2:], [int(v) for v in values])
     if kind == "call":
-        return _call(str(parts[0]), [_value(p, scope) for p in parts[1:]])
-    return _operate(str(parts[1]), _value(parts[0], scope), _value(parts[2], scope))
+        return _call(text, values, scope)
+    if kind == "names":
+        if text in _ELSEWHERE:
+            raise Unsupported(f"LAMMPS has {text}() in formulas, pylmp's native engines do not", manual="variable.html")
+        return scope.named(text, step.names)
+    if values:
+        return scope.atom(text, int(values[0]))
+    return {"PI": math.pi, "version": VERSION}[text] if text in ("PI", "version") else scope.keyword(text)
 
 
-def _word(name: str, index: list[Any], scope: Scope) -> float:
-    if index:
-        raise FormulaError("Variable atom ID references are not supported here")
-    if name == "PI":
-        return math.pi
-    if name == "version":
-        return VERSION
-    return scope.keyword(name)
+def number(text: str) -> float:
+    """The longest part from the start that is a number, as C reads it."""
+    found = re.match(r"\d+\.?\d*([eE][-+]?\d+)?|\.\d+([eE][-+]?\d+)?", text)
+    value = float(found[0]) if found else math.nan
+    if not math.isfinite(value):
+        raise FormulaError(f"Invalid number {text} in variable formula")
+    return value
 
 
 def _operate(sign: str, a: float, b: float) -> float:
-    if sign in ("/", "%") and b == 0.0:
-        raise FormulaError("Divide by 0 in variable formula" if sign == "/" else "Modulo 0 in variable formula")
+    if sign == "+":
+        return a + b
+    if sign == "-":
+        return a - b
+    if sign == "*":
+        return a * b
     if sign == "^":
+        return power(a, b)
+    if sign in ("/", "%"):
         if b == 0.0:
-            return 1.0
-        if a == 0.0 and b < 0.0:
-            raise FormulaError("Invalid power expression in variable formula")
-        return _safely(math.pow, a, b)
-    return _OPERATORS[sign](a, b)
+            raise FormulaError("Divide by 0 in variable formula" if sign == "/" else "Modulo 0 in variable formula")
+        return a / b if sign == "/" else _modulo(a, b)
+    return compare(sign, a, b)
 
 
-_OPERATORS: dict[str, Callable[[float, float], float]] = {
-    "+": lambda a, b: a + b,
-    "-": lambda a, b: a - b,
-    "*": lambda a, b: a * b,
-    "/": lambda a, b: a / b,
-    "%": math.fmod,
-    "==": lambda a, b: float(a == b),
-    "!=": lambda a, b: float(a != b),
-    "<": lambda a, b: float(a < b),
-    "<=": lambda a, b: float(a <= b),
-    ">": lambda a, b: float(a > b),
-    ">=": lambda a, b: float(a >= b),
-    "&&": lambda a, b: float(a != 0.0 and b != 0.0),
-    "||": lambda a, b: float(a != 0.0 or b != 0.0),
-    "|^": lambda a, b: float((a != 0.0) != (b != 0.0)),
-}
+def _modulo(a: float, b: float) -> float:
+    return math.nan if math.isinf(a) else math.fmod(a, b)
 
 
-def _safely(function: Callable[..., float], *values: float) -> float:
-    try:
-        return function(*values)
-    except OverflowError:
-        return math.inf
-    except ValueError:
-        return math.nan
-
-
-def _round(x: float) -> float:
-    """Halves away from zero, as C's round."""
-    return math.copysign(math.floor(abs(x) + 0.5), x) if abs(x) < 2.0**52 else x
-
-
-def _sign(x: float) -> float:
-    return 1.0 if x >= 0.0 else -1.0
-
-
-_FUNCTIONS: dict[str, tuple[int, Callable[..., float]]] = {
-    "sqrt": (1, math.sqrt), "exp": (1, math.exp), "ln": (1, math.log), "log": (1, math.log10), "abs": (1, abs),
-    "sign": (1, _sign), "sin": (1, math.sin), "cos": (1, math.cos), "tan": (1, math.tan), "asin": (1, math.asin),
-    "acos": (1, math.acos), "atan": (1, math.atan), "atan2": (2, math.atan2),
-    "ceil": (1, lambda x: float(math.ceil(x))), "floor": (1, lambda x: float(math.floor(x))), "round": (1, _round),
-    "ternary": (3, lambda c, a, b: a if c else b),
-}  # fmt: skip
-
-
-def _call(name: str, values: list[float]) -> float:
-    if name not in _FUNCTIONS:
-        raise FormulaError("Invalid math/group/special function in variable formula")
-    count, function = _FUNCTIONS[name]
+def _call(name: str, values: list[float], scope: Scope) -> float:
+    if name in ("random", "normal"):
+        return _random(name, values, scope)
+    if name not in FUNCTIONS:
+        raise FormulaError(f"Invalid math/group/special/feature function '{name}()' in variable formula")
+    if not values:
+        raise FormulaError("Invalid syntax in variable formula")
+    count, function, timed = FUNCTIONS[name]
     if len(values) != count:
         raise FormulaError("Invalid math function in variable formula")
-    x = values[0]
-    if name == "sqrt" and x < 0.0:
-        raise FormulaError("Sqrt of negative value in variable formula")
-    if name in ("ln", "log") and x <= 0.0:
-        raise FormulaError("Log of zero/negative value in variable formula")
-    if name in ("asin", "acos") and not -1.0 <= x <= 1.0:
-        raise FormulaError(f"{'Arcsin' if name == 'asin' else 'Arccos'} of invalid value in variable formula")
-    return _safely(function, *values)
+    return function(*values, scope.clock()) if timed else function(*values)
+
+
+def _random(name: str, values: list[float], scope: Scope) -> float:
+    """random(low,high,seed) and normal(mean,deviation,seed): one stream for all formulas, begun by the first seed."""
+    if len(values) != 3 or int(values[2]) <= 0 or (name == "normal" and values[1] < 0.0):
+        raise FormulaError(
+            "Invalid math function in variable formula" if values else "Invalid syntax in variable formula"
+        )
+    stream = scope.random(int(values[2]))
+    if name == "random":
+        return float(stream.uniform()) * (values[1] - values[0]) + values[0]
+    return values[0] + values[1] * float(stream.gaussian())

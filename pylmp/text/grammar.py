@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import hashlib
+import io
 import re
+import sys
 from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
+import lark
 from lark import Lark, Token, UnexpectedInput
 from lark.lexer import Lexer
+from lark.load_grammar import load_grammar
 
 from pylmp.text.words import Word
 
@@ -28,27 +33,61 @@ def folder() -> Path:
     return inside if inside.is_dir() else package.parent / "grammar"
 
 
+class Store(Protocol):
+    """Keeps bytes between runs, or does not: nothing depends on it but time."""
+
+    def find(self, name: str) -> bytes | None: ...
+    def keep(self, name: str, code: bytes) -> None: ...
+
+
+store: Store | None = None  # the interpreter puts one here
+
+
 @cache
 def _page(name: str) -> str:
     return (folder() / f"{name}.lark").read_text()
 
 
 @cache
+def _grammar() -> Any:
+    """The page of commands, read once for all tables."""
+    return load_grammar(_page("commands"), str(folder() / "commands.lark"), [str(folder())], False)[0]
+
+
+def _table(page: str, start: str, **options: Any) -> Lark:
+    """The LALR table of one start rule, from the store if it is there."""
+    said = (lark.__version__, sys.version, _page(page), _page("terms"), start, repr(sorted(options)))
+    name = "grammar-" + hashlib.blake2b("\0".join(said).encode(), digest_size=20).hexdigest()
+    kept = store.find(name) if store else None
+    if kept is not None:
+        try:
+            return Lark.load(io.BytesIO(kept))
+        except Exception:  # an entry of another make is no entry
+            pass
+    table = Lark(_grammar() if page == "commands" else _page(page), start=start, parser="lalr", **options)
+    if store:
+        data = io.BytesIO()
+        table.save(data)
+        store.keep(name, data.getvalue())
+    return table
+
+
+@cache
 def line_table(start: str) -> Lark:
     """The parser of lines ("line") or of words whose quotes are gone ("inner")."""
-    return Lark(_page("line"), start=start, parser="lalr", propagate_positions=True)
+    return _table("line", start, propagate_positions=True)
 
 
 @cache
 def parser(name: str) -> Lark:
     """The parser of formulas or of conditions."""
-    return Lark(_page(name), parser="lalr")
+    return _table(name, "start")
 
 
 @cache
 def rules() -> tuple[str, ...]:
     """The commands of the page."""
-    heads = re.findall(r'^(\w+):\s+"(\w+)"', _page("commands"), re.M)
+    heads = re.findall(r'^(\w+):\s+"(\w+)"', _page("commands"), re.MULTILINE)
     return tuple(rule for rule, word in heads if rule == word)
 
 
@@ -58,7 +97,7 @@ class _NoLexer(Lexer):
     def __init__(self, conf: Any) -> None:
         pass
 
-    def lex(self, data: Any) -> Iterator[Token]:
+    def lex(self, lexer_state: Any, parser_state: Any = None) -> Iterator[Token]:
         return iter(())
 
 
@@ -66,9 +105,7 @@ class Shape:
     """The LALR table of one command, and which terminal a word is in each of its states."""
 
     def __init__(self, name: str) -> None:
-        self._lark = Lark(
-            _page("commands"), start=name, parser="lalr", lexer=_NoLexer, import_paths=[str(folder())], source_path=str(folder() / "commands.lark"),
-        )  # fmt: skip
+        self._lark = _table("commands", name, lexer=_NoLexer)
         fixed = {t.pattern.value: t.name for t in self._lark.terminals if t.pattern.type == "str"}
         loose = sorted((t for t in self._lark.terminals if t.pattern.type == "re"), key=lambda t: -t.priority)
         self._fixed: dict[str, str] = fixed

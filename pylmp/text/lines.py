@@ -89,6 +89,8 @@ def logical_lines(source: str, file: str) -> list[Text]:
         lines.append(Text(file, text, tuple(starts), tuple(places)))
         text, starts, places, open_line = "", [], [], False
     if open_line:
+        if not text.endswith("\n"):
+            text += "&"  # nothing to join: the sign is a word
         lines.append(Text(file, text, tuple(starts), tuple(places)))
     return lines
 
@@ -104,9 +106,15 @@ def decode(data: bytes, file: str) -> str:
              (b"\x89PNG", "an image"), (b"%PDF", "a PDF file"), (b"\x7fELF", "a program"))  # fmt: skip
     for magic, kind in kinds:
         if data.startswith(magic):
-            raise ScriptError(f"Input script {file} is not a text file: it is {kind}", Span(file, 1, 1), hint="plain text, UTF-8")
+            raise ScriptError(
+                f"Input script {file} is not a text file: it is {kind}", Span(file, 1, 1), hint="plain text, UTF-8"
+            )
     at = data.find(b"\0")
     if at >= 0:
         line, column = data.count(b"\n", 0, at) + 1, at - data.rfind(b"\n", 0, at)
-        raise ScriptError(f"Input script {file} is not a text file: it holds a NUL byte", Span(file, line, column), hint="plain text, UTF-8")
+        raise ScriptError(
+            f"Input script {file} is not a text file: it holds a NUL byte",
+            Span(file, line, column),
+            hint="plain text, UTF-8",
+        )
     return data.decode("utf-8-sig", "surrogateescape")

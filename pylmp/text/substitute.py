@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from functools import lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 from lark import Token, UnexpectedInput
 
@@ -20,12 +20,12 @@ _QUOTES = {"'": "single", '"': "double", '"""': "triple"}
 
 
 class Piece(NamedTuple):
-    """A stretch of a line; key is the variable's name, or the formula of an immediate one, or empty for plain text."""
+    """A stretch of a line: plain text, or a variable with its name, or an immediate one with its formula."""
 
     start: int
     stop: int
+    kind: str = "text"
     key: str = ""
-    immediate: bool = False
 
 
 Lookup = Callable[[str, bool], str]
@@ -39,14 +39,14 @@ def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = 
     if not _SPECIAL.search(line.text):
         return line
     pieces = _pieces(line, start)
-    if len(pieces) == 1 and not pieces[0].key and pieces[0].stop == len(line.text):
+    if len(pieces) == 1 and pieces[0].kind == "text" and pieces[0].stop == len(line.text):
         return line
     end = pieces[-1].stop if pieces else 0
     out, starts, places = "", [], []
     for piece in pieces:
-        if piece.key:
+        if piece.kind != "text":
             try:
-                value = lookup(piece.key, piece.immediate)
+                value = lookup(piece.key, piece.kind == "immediate")
             except ScriptError as error:
                 raise error.at(line.span(piece.start, piece.stop)) from None
             span = line.span(piece.start, piece.stop)
@@ -83,14 +83,14 @@ def _read(text: str, start: str) -> tuple[Piece, ...]:
             if node.type == "COMMENT":
                 break
             first, stop = node.start_pos or 0, node.end_pos or 0
-            if pieces and not pieces[-1].key:
+            if pieces and pieces[-1].kind == "text":
                 pieces[-1] = Piece(pieces[-1].start, stop)
             else:
                 pieces.append(Piece(first, stop))
             continue
         first, stop = node.meta.start_pos, node.meta.end_pos
         key = text[first + 1 : stop] if node.data == "letter" else text[first + 2 : stop - 1]
-        pieces.append(Piece(first, stop, key, node.data == "immediate"))
+        pieces.append(Piece(first, stop, str(node.data), key))
     return tuple(pieces)
 
 
@@ -99,7 +99,7 @@ def _opening(text: str) -> int:
     return max(text.rfind("${"), text.rfind("$("), 0)
 
 
-def _complain(line: Text, at: int) -> None:
+def _complain(line: Text, at: int) -> NoReturn:
     text = line.text
     span = line.span(at, at + 1)
     quote = '"""' if text.startswith('"""', at) else text[at]
@@ -127,9 +127,15 @@ def split(line: Text) -> list[Word]:
         if found[4] is None:
             if stop < len(text) and not text[stop].isspace():
                 raise ScriptError(
-                    "Input line quote not followed by white-space", line.span(stop - 1, stop), hint="a blank after the quote"
+                    "Input line quote not followed by white-space",
+                    line.span(stop - 1, stop),
+                    hint="a blank after the quote",
                 )
-            words.append(Word(text[found.start(found.lastindex or 0) : found.end(found.lastindex or 0)], line.span(at, stop), True))
+            words.append(
+                Word(
+                    text[found.start(found.lastindex or 0) : found.end(found.lastindex or 0)], line.span(at, stop), True
+                )
+            )
         else:
             if text[at] in _QUOTES:
                 quote = '"""' if text.startswith('"""', at) else text[at]

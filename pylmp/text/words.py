@@ -40,9 +40,7 @@ class Args:
     manual  page of the manual, carried into every error
     """
 
-    def __init__(
-        self, what: str, words: Sequence[Word], owner: Word | None = None, manual: str = ""
-    ) -> None:
+    def __init__(self, what: str, words: Sequence[Word], owner: Word | None = None, manual: str = "") -> None:
         self.what = what
         self.words = list(words)
         self.owner = owner
@@ -81,6 +79,13 @@ class Args:
         """Take all remaining words."""
         left, self.at = self.words[self.at :], len(self.words)
         return left
+
+    def expect(self, low: int, high: int, wording: str) -> None:
+        """Fail unless the command has low to high words; wording is how LAMMPS states the number."""
+        count = len(self.words)
+        if not low <= count <= high:
+            word = self.words[high] if count > high else self.words[-1] if self.words else self.owner
+            self.fail(f"Illegal {self.what} command: expected {wording} but found {count}", word)
 
     def need(self, count: int) -> None:
         """Fail unless at least count words remain."""
