@@ -15,5 +15,7 @@ def unfix(sim: Simulation, args: Args) -> None:
     word = args.word()
     found = next((fix for fix in sim.fixes if fix.id == word.text), None)
     if found is None:
-        args.fail(f"Could not find fix ID {word.text} to delete", word, hint=f"fixes: {' '.join(f.id for f in sim.fixes)}")
+        args.fail(
+            f"Could not find fix ID {word.text} to delete", word, hint=f"fixes: {' '.join(f.id for f in sim.fixes)}"
+        )
     sim.fixes.remove(found)

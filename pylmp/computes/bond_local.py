@@ -37,7 +37,9 @@ class BondLocal(Compute):
         self.names = []
         for word in args.rest():
             if word.text == "set" or word.text.startswith("v_"):
-                raise Unsupported("LAMMPS has variables in compute bond/local, pylmp's native engines do not", word.span)
+                raise Unsupported(
+                    "LAMMPS has variables in compute bond/local, pylmp's native engines do not", word.span
+                )
             if word.text not in _VALUES and not re.fullmatch(r"b[1-9]\d*", word.text):
                 args.fail(f"Unknown compute bond/local keyword: {word.text}", word, hint=" ".join(_VALUES) + " b1 b2")
             self.names.append(word.text)
@@ -49,7 +51,8 @@ class BondLocal(Compute):
         extra = [int(name[1:]) for name in self.names if name not in _VALUES]
         if extra and max(extra) > max(part.memory for part in sim.bond.parts):
             raise ScriptError(
-                "Bond style does not have extra field requested by compute bond/local", hint="b1 and b2 of bpm/spring/plastic"
+                "Bond style does not have extra field requested by compute bond/local",
+                hint="b1 and b2 of bpm/spring/plastic",
             )
 
     def local(self, sim: Simulation) -> Floats:
@@ -87,6 +90,7 @@ def remembered(sim: Simulation, rows: Ints, partners: Ints) -> Floats:
     for listed in sim.bond_lists:
         bonds, history = listed.bonds[: listed.count], listed.history[: listed.count]
         low, high = np.minimum(tag[bonds[:, 0]], tag[bonds[:, 1]]), np.maximum(tag[bonds[:, 0]], tag[bonds[:, 1]])
+        # A bond across a face may be listed twice, with copies that differ in the last bits; the first counts, as in LAMMPS.
         keys, first = np.unique(low * span + high, return_index=True)
         mine = np.minimum(tag[rows], tag[partners]) * span + np.maximum(tag[rows], tag[partners])
         at = np.minimum(np.searchsorted(keys, mine), max(len(keys) - 1, 0))

@@ -51,8 +51,6 @@ class CountType(Compute):
         return float((self._bonds(sim) == 0).sum())
 
     def vector(self, sim: Simulation) -> Floats:
-        if self.mode == "atom":
-            kinds = sim.atoms.type[: sim.atoms.n][self.members(sim)]
-        else:
-            kinds = np.abs(self._bonds(sim))
+        atoms = sim.atoms
+        kinds = atoms.type[: atoms.n][self.members(sim)] if self.mode == "atom" else np.abs(self._bonds(sim))
         return np.bincount(kinds, minlength=self.length + 1)[1:].astype(float)

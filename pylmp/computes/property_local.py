@@ -38,7 +38,9 @@ class PropertyLocal(Compute):
         for word in args.rest():
             if word.text not in ("batom1", "batom2", "btype"):
                 if word.text.rstrip("1234") in _ELSEWHERE or word.text == "cutoff":
-                    raise Unsupported(f"LAMMPS has compute property/local {word.text}, pylmp's native engines do not", word.span)
+                    raise Unsupported(
+                        f"LAMMPS has compute property/local {word.text}, pylmp's native engines do not", word.span
+                    )
                 args.fail(f"Unknown compute property/local keyword: {word.text}", word, hint="batom1 batom2 btype")
             self.names.append(word.text)
         if not sim.has_bonds:

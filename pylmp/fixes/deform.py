@@ -98,7 +98,9 @@ class Deform(Fix):
                 shift = 0.5 * time * value * (hi - lo)
                 direction.stop = lo - shift, hi + shift
                 if direction.stop[1] <= direction.stop[0]:
-                    raise ScriptError("Final box dimension due to fix deform is < 0.0", hint="a smaller rate or fewer steps")
+                    raise ScriptError(
+                        "Final box dimension due to fix deform is < 0.0", hint="a smaller rate or fewer steps"
+                    )
 
     def end_of_step(self, sim: Simulation) -> None:
         """Every direction, changing or not, makes the round trip through scaled coordinates."""

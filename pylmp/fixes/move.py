@@ -24,11 +24,15 @@ class Move(Fix):
         super().__init__(sim, identity, group, bit, args)
         mode = args.word()
         if mode.text in ("wiggle", "rotate", "transrot", "variable"):
-            raise Unsupported(f"LAMMPS has fix move {mode.text}, pylmp's native engines do not", mode.span, hint="linear")
+            raise Unsupported(
+                f"LAMMPS has fix move {mode.text}, pylmp's native engines do not", mode.span, hint="linear"
+            )
         if mode.text != "linear":
             args.fail(f"Unknown fix move mode {mode.text}", mode, hint="linear")
         if len(args) < 3:
-            args.fail("Illegal fix move linear command: missing argument(s)", mode, hint="fix ID GROUP move linear Vx Vy Vz")
+            args.fail(
+                "Illegal fix move linear command: missing argument(s)", mode, hint="fix ID GROUP move linear Vx Vy Vz"
+            )
         words = [args.word() for _ in range(3)]
         velocity = [None if w.text == "NULL" else args.as_number(w) for w in words]
         scale = sim.spacing
@@ -36,7 +40,12 @@ class Move(Fix):
             key = args.word()
             value = args.word()
             if key.text != "units" or value.text not in ("box", "lattice"):
-                args.fail(f"Unknown fix move units setting {value.text}" if key.text == "units" else f"Unknown fix move keyword {key.text}", value)
+                args.fail(
+                    f"Unknown fix move units setting {value.text}"
+                    if key.text == "units"
+                    else f"Unknown fix move keyword {key.text}",
+                    value,
+                )
             scale = sim.spacing if value.text == "lattice" else (1.0, 1.0, 1.0)
         self.velocity = [None if v is None else v * s for v, s in zip(velocity, scale, strict=True)]
         if sim.dimension == 2 and self.velocity[2] not in (None, 0.0):
