@@ -1,0 +1,107 @@
+"""read_data FILE keywords..."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pylmp.io.data_read import Options, read_data, read_text
+from pylmp.model.groups import MAX_GROUPS
+from pylmp.model.registry import command
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.text.words import Args, Word
+
+_KINDS = "bond", "angle", "dihedral", "improper"
+_COUNTS = (
+    "extra/atom/types", *(f"extra/{k}/types" for k in _KINDS), *(f"extra/{k}/per/atom" for k in _KINDS), "extra/special/per/atom",
+)  # fmt: skip
+
+
+@command("read_data")
+def read_data_command(sim: Simulation, args: Args) -> None:
+    """Make the box and the atoms, bonds, velocities, masses and coefficients of a file; or add to what is there."""
+    name = args.word()
+    options = Options()
+    group = ""
+    while len(args):
+        group = _keyword(sim, args, options) or group
+    if sim.has_box and options.add is None:
+        args.fail(
+            "Cannot use read_data without add keyword after simulation box is defined",
+            args.owner,
+            hint="add append, or clear",
+        )
+    if not sim.has_box and options.add is not None:
+        args.fail("Cannot use read_data add before simulation box is defined", args.owner)
+    if options.add is None and any(options.shift):
+        args.fail("Cannot use read_data shift without add keyword", args.owner, hint="add append shift ...")
+    if sim.dimension == 2 and sim.boundary[2][0] != "p":
+        args.fail("Cannot run 2d simulation with nonperiodic Z dimension", args.owner, hint="boundary x y p")
+    path = Path(name.text)
+    try:
+        text = read_text(path)
+    except ScriptError as error:
+        args.fail(error.diagnostic.message, name)
+    if group:
+        options.group = _group(sim, args, group)
+    read_data(sim, path, text, options)
+
+
+def _keyword(sim: Simulation, args: Args, options: Options) -> str:
+    """Read one keyword; returns the name of a group if it is that."""
+    key = args.word()
+    if key.text in _COUNTS:
+        _count(sim, args, key, options)
+    elif key.text == "nocoeff":
+        options.coeffs = False
+    elif key.text == "group":
+        _need(args, key, 1)
+        return args.word().text
+    elif key.text == "shift":
+        _need(args, key, 3)
+        options.shift = args.number(), args.number(), args.number()
+    elif key.text == "add":
+        _need(args, key, 1)
+        word = args.word()
+        if word.text in ("append", "merge"):
+            options.add = word.text
+        else:
+            _need(args, key, 1)
+            options.add, options.molecule_offset = args.as_integer(word), args.integer()
+    elif key.text in ("offset", "fix"):
+        raise Unsupported(
+            f"LAMMPS has read_data {key.text}, pylmp's native engines do not", key.span, manual=args.manual
+        )
+    else:
+        args.fail(f"Unknown read_data keyword {key.text}", key, hint="add shift group nocoeff extra/...")
+    return ""
+
+
+def _need(args: Args, key: Word, count: int) -> None:
+    if len(args) < count:
+        args.fail(f"Illegal read_data {key.text} command: missing argument(s)", key)
+
+
+def _count(sim: Simulation, args: Args, key: Word, options: Options) -> None:
+    _need(args, key, 1)
+    word = args.word()
+    kind = key.text.split("/")[1]
+    if key.text.endswith("types") and kind in _KINDS and not (kind == "bond" and sim.has_bonds):
+        args.fail(f"No {kind}s allowed with atom style {sim.atom_style}", word)
+    value = args.as_integer(word)
+    if value < 0:
+        args.fail(f"Illegal read_data {key.text} value {value}", word, hint="0 or more")
+    field = key.text.removeprefix("extra/").replace("/", "_")
+    if hasattr(options, field):
+        setattr(options, field, value)
+
+
+def _group(sim: Simulation, args: Args, name: str) -> int:
+    """The bit of a group, which is made if it is new."""
+    bit = sim.groups.bit(name)
+    if bit == 0:
+        bit = sim.groups.free_bit()
+        if bit == 0:
+            args.fail(f"Too many groups (max {MAX_GROUPS})")
+        sim.groups.names[name] = bit
+    return bit
