@@ -45,7 +45,7 @@ def delete_bonds(sim: Simulation, args: Args) -> None:
         if word.text not in _KEYWORDS:
             args.illegal(word, hint=" ".join(_KEYWORDS))
     options = {word.text for word in words}
-    wrap_atoms(sim)
+    wrap_atoms(sim, shrink=True)
 
     rows, slots, partners = _members(sim, bit, "any" in options)
     chosen = _chosen(sim, style.text, types, rows, slots, partners)

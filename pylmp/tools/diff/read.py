@@ -55,9 +55,20 @@ def tables(log: str) -> list[Table]:
 
 
 def answers(log: str) -> list[str]:
-    """The lines in which commands tell what they did, without LAMMPS's notes of its own source lines."""
+    """The lines in which commands tell what they did, without LAMMPS's notes of its own source lines.
+
+    A warning counts once: where the box changes, LAMMPS repeats some at every rebuild.
+    """
     lines = (re.sub(r" \(src/.*\)$", "", line).strip() for line in log.splitlines() if _ANSWERS.match(line))
-    return [line for line in lines if line]
+    warned: set[str] = set()
+    result = []
+    for line in lines:
+        if line.startswith("WARNING"):
+            if line in warned:
+                continue
+            warned.add(line)
+        result.append(line)
+    return result
 
 
 @dataclass
