@@ -52,6 +52,8 @@ class Pressure(Compute):
         for name, values in (("pair", sim.tally.pair_virial), ("bond", sim.tally.bond_virial)):
             if name in self.parts or "virial" in self.parts:
                 result = result + np.array(values)
+        if sim.pair is not None and sim.pair.tail and ("pair" in self.parts or "virial" in self.parts):
+            result[:3] += sim.pair.tails(sim)[1] * (1.0 / sim.box.volume)
         return result
 
     def _temp(self, sim: Simulation):  # type: ignore[no-untyped-def]

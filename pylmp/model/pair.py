@@ -57,7 +57,6 @@ class Pair:
         self.table = np.zeros((types + 1, types + 1, 0))
         self.law = style.law(options) if style.law else None
         self.velocity = style.velocity
-        self.stale = True
 
     @property
     def width(self) -> int:
@@ -78,7 +77,6 @@ class Pair:
             )
         for pair in pairs:
             self.given[pair] = values
-        self.stale = True
 
     def init(self, sim: Simulation) -> None:
         """Mix what was not given, check, fill cut and table. Raises ScriptError for unset or broken restrictions."""
@@ -95,13 +93,12 @@ class Pair:
             restriction.check(sim, self.options, self.style.manual)
         mixed, unlike = 0, self.types * (self.types - 1) // 2
         self.all = {}
-        for i in range(1, self.types + 1):
-            for j in range(i, self.types + 1):
-                if (i, j) in self.given:
-                    self.all[i, j] = self.given[i, j]
-                elif self.style.mix is not None:
-                    self.all[i, j] = self.style.mix(*self.given[i, i], *self.given[j, j], self.mix)
-                    mixed += bool(self.style.coeffs)  # LAMMPS counts pairs whose energies it mixes
+        for i, j in self._pairs():
+            if (i, j) in self.given:
+                self.all[i, j] = self.given[i, j]
+            elif self.style.mix is not None:
+                self.all[i, j] = self.style.mix(*self.given[i, i], *self.given[j, j], self.mix)
+                mixed += bool(self.style.coeffs)  # LAMMPS counts pairs whose energies it mixes
         self._fill()
         sim.console.both(f"Generated {mixed} of {unlike} mixed pair_coeff terms from {self.mix} mixing rule\n")
 
@@ -111,7 +108,7 @@ class Pair:
             raise ScriptError(
                 "All pair coeffs are not set. Status:\nPair style not yet initialized", hint=hint, manual=manual
             )
-        pairs = [(i, j) for i in range(1, self.types + 1) for j in range(i, self.types + 1)]
+        pairs = self._pairs()
         alike = all((i, i) in self.given for i in range(1, self.types + 1))
         if alike and (self.style.mix is not None or all(pair in self.given for pair in pairs)):
             return
@@ -127,14 +124,11 @@ class Pair:
             self.table[i, j] = self.table[j, i] = values
             self.cut[i, j] = self.cut[j, i] = self.all[i, j][1]
 
-    def write_coeffs(self) -> tuple[str, list[tuple[int, ...]], list[list[float]]]:
-        """Section title, type keys and numbers for a data file: Pair Coeffs, or PairIJ Coeffs if an unlike pair was given."""
-        pairs = [(i, j) for i in range(1, self.types + 1) for j in range(i, self.types + 1)]
-        whole = any(i != j for i, j in self.given)
+    def write_coeffs(self, whole: bool) -> list[tuple[tuple[int, ...], list[float]]]:
+        """Lines of a data file: (I,) and numbers (Pair Coeffs), or whole: (I, J) and numbers (PairIJ Coeffs)."""
         if whole:
-            return "PairIJ Coeffs", list(pairs), [self.style.write(*self.all[pair], True) for pair in pairs]
-        like = [(i, i) for i in range(1, self.types + 1)]
-        return "Pair Coeffs", [(i,) for i, _ in like], [self.style.write(*self.given[pair], False) for pair in like]
+            return [(pair, self.style.write(*self.all[pair], True)) for pair in self._pairs()]
+        return [((i,), self.style.write(*self.given[i, i], False)) for i in range(1, self.types + 1)]
 
     def tails(self, sim: Simulation) -> tuple[float, float]:
         """Long-range corrections (energy, pressure) before division by V and V*V; zero unless pair_modify tail yes."""
@@ -142,10 +136,13 @@ class Pair:
             return 0.0, 0.0
         counts = np.bincount(sim.atoms.type[: sim.atoms.n], minlength=self.types + 1)
         energy = pressure = 0.0
-        for i in range(1, self.types + 1):
-            for j in range(1, self.types + 1):
-                e, p = self.style.tail(*self.all[min(i, j), max(i, j)])
-                pairs = float(counts[i]) * float(counts[j])
-                energy += pairs * e
-                pressure += pairs * p
+        for i, j in self._pairs():
+            e, p = self.style.tail(*self.all[i, j], float(counts[i]), float(counts[j]))
+            for _ in range(1 if i == j else 2):
+                energy += e
+                pressure += p
         return energy, pressure
+
+    def _pairs(self) -> list[tuple[int, int]]:
+        """All (i, j) with i <= j."""
+        return [(i, j) for i in range(1, self.types + 1) for j in range(i, self.types + 1)]

@@ -115,7 +115,7 @@ class PairStyle:
     read       reads pair_coeff's words -> (coefficients, cutoff)
     mix        (coefficients, cutoff of type i, of type j, mixing rule) -> those of the unlike pair; None: not defined
     row        (coefficients, cutoff, shift) -> the numbers the law receives
-    tail       (coefficients, cutoff) -> (energy, pressure) integrals per pair of atoms, or None
+    tail       (coefficients, cutoff, atoms of type i, of type j) -> (energy, pressure) integrals, or None
     single     LAMMPS can evaluate one pair alone (bond_style quartic needs that)
     """
 
@@ -129,7 +129,7 @@ class PairStyle:
     mix: Callable[..., tuple[tuple[float, ...], float]] | None = None
     velocity: bool = False
     restrictions: tuple[Restriction, ...] = ()
-    tail: Callable[[tuple[float, ...], float], tuple[float, float]] | None = None
+    tail: Callable[[tuple[float, ...], float, float, float], tuple[float, float]] | None = None
     single: bool = True
     write: Callable[[tuple[float, ...], float, bool], list[float]] = field(
         default=lambda coeffs, cut, whole: [*coeffs, cut] if whole else list(coeffs)

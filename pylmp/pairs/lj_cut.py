@@ -55,17 +55,16 @@ def mix(a: Any, cut_a: float, b: Any, cut_b: float, rule: str) -> tuple[tuple[fl
     return (epsilon, mix_distance(a[1], b[1], rule)), mix_distance(cut_a, cut_b, rule)
 
 
-def tail(coeffs: tuple[float, ...], cut: float) -> tuple[float, float]:
-    """Integrals of energy and virial beyond the cutoff, per pair of atoms (times 1/V, 1/V^2)."""
+def tail(coeffs: tuple[float, ...], cut: float, ni: float, nj: float) -> tuple[float, float]:
+    """Integrals of energy and virial beyond the cutoff over ni nj pairs of atoms (times 1/V, 1/V^2)."""
     epsilon, sigma = coeffs
     s2 = sigma * sigma
     s6 = s2 * s2 * s2
     c3 = cut * cut * cut
     c6 = c3 * c3
     c9 = c3 * c6
-    prefactor = 8.0 * math.pi * epsilon * s6
-    energy = prefactor * (s6 - 3.0 * c6) / (9.0 * c9)
-    return energy, 2.0 * prefactor * (2.0 * s6 - 3.0 * c6) / (9.0 * c9)
+    prefactor = 8.0 * math.pi * ni * nj * epsilon * s6 / (9.0 * c9)
+    return prefactor * (s6 - 3.0 * c6), 2.0 * prefactor * (2.0 * s6 - 3.0 * c6)
 
 
 PAIRS.add(

@@ -208,3 +208,30 @@ def test_mixing_over_random_coefficients(rule: str, tmp_path) -> None:
         (epsilon, sigma), cut = mix((e1, s1), s1 * 2.1, (e2, s2), s2 * 2.3, rule)
         over_r, e = lj(float(squared(d[None])[0]), 0.0, 1.0, row((epsilon, sigma), cut, True))
         assert (over_r * d[0], e) == (force, energy)
+
+
+def test_tail_corrections(tmp_path) -> None:
+    """Five atoms out of each other's reach: energy and pressure are those of the tails alone."""
+    script = """units lj
+region b block 0 13.1 0 12.3 0 11.7
+create_box 3 b
+create_atoms 1 single 1 1 1
+create_atoms 2 single 5 5 5
+create_atoms 2 single 9 9 9
+create_atoms 2 single 9 1 9
+create_atoms 3 single 1 9 9
+mass * 1.0
+pair_style lj/cut 2.5
+pair_modify tail yes
+pair_coeff 1 1 1.3 0.9 2.1
+pair_coeff 2 2 0.7 1.17 2.6
+pair_coeff 3 3 0.77 1.37
+pair_coeff 2 3 0.6 1.23 2.2
+fix 1 all nve
+run 0
+print "@ $(etail:%.17g) $(epair:%.17g) $(press:%.17g) $(pxx:%.17g)"
+"""
+    (there,) = re.findall(r"^@ .*$", lammps(script, tmp_path / "lammps").screen, re.M)
+    (here,) = re.findall(r"^@ .*$", simulate(script, tmp_path / "pylmp")[1], re.M)
+    assert here == there
+    assert float(here.split()[1]) < 0.0
