@@ -76,7 +76,8 @@ class Ghosts:
         tags = int(atoms.tag[: atoms.n].max()) + 1 if atoms.n else 1
         if len(self.first) != tags:
             self.first = np.zeros(tags, np.int64)
-        kernel(self._index).bind(atoms.tag, self.first, self.same, tags, atoms.total)()
+        self.first[:] = -1
+        kernel(self._index).bind(atoms.tag, self.first, self.same, atoms.total)()
 
     def _fit(self, capacity: int) -> None:
         if len(self.source) < capacity:

@@ -152,6 +152,7 @@ class NeighborList:
     def _fit(self, rows: int, bins: int):  # type: ignore[no-untyped-def]
         if len(self._scratch[0]) < rows:
             self._scratch = (*(np.zeros(rows, np.int64) for _ in range(3)), np.zeros(3 * rows))  # type: ignore[assignment]
-        if len(self._start) < bins + 1:
-            self._start = np.zeros(bins + 1, np.int64)
+        if len(self._start) < bins + 2:
+            self._start = np.zeros(bins + 2, np.int64)
+        self._start[: bins + 2] = 0
         return self._scratch

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pylmp.kernels.exact import row
 from pylmp.kernels.kinds import Function
+from pylmp.laws import sqrt
 
 LOST = -1.0  # a bond partner is nowhere: the kernel returns LOST minus the owner's row
 
@@ -132,7 +133,7 @@ def bond_loop(
             dz = x[3 * i + 2] - x[3 * j + 2]
             r2 = dx * dx + dy * dy + dz * dz
             if reference and not history[memory * b] >= 1.0e-10:
-                history[memory * b] = r2**0.5
+                history[memory * b] = sqrt(r2)
                 for k in range(1, memory):
                     history[memory * b + k] = 0.0
             dot = 0.0

@@ -63,10 +63,8 @@ def borders(periodic: tuple[bool, bool, bool], dimension: int) -> Function:
 
 
 def index() -> Function:
-    def index_tags(tag: "i8*", first: "i8*", same: "i8*", tags: "i8", total: "i8") -> "f8":
-        """first[ID] = lowest row of that ID (-1: none), same[row] = next row of the same ID (-1: none)."""
-        for k in range(tags):
-            first[k] = -1
+    def index_tags(tag: "i8*", first: "i8*", same: "i8*", total: "i8") -> "f8":
+        """first[ID] = lowest row of that ID (-1 as it comes: none), same[row] = next row of the same ID (-1: none)."""
         for i in range(total - 1, -1, -1):
             same[i] = first[tag[i]]
             first[tag[i]] = i

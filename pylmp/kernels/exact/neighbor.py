@@ -26,10 +26,11 @@ def bins(dimension: int) -> Function:
         x: "f8*", lo: "f8*", hi: "f8*", inverse: "f8*", grid: "i8*", bin_of: "i8*", start: "i8*", member: "i8*",
         at: "i8*", total: "i8",
     ) -> "f8":
-        """start[b] .. start[b+1]: members of bin b. member[p]: row at place p; at[row]: its place."""
+        """start[b] .. start[b+1]: members of bin b. member[p]: row at place p; at[row]: its place.
+
+        start comes zeroed, with room for the bins and two more. Returns 0.0, or -1.0 - row for an atom outside the grid.
+        """
         nbins = grid[6] * grid[7] * grid[8]
-        for b in range(nbins + 1):
-            start[b] = 0
         for i in range(total):
             iz = 1
             if dimension == 3:
@@ -40,17 +41,14 @@ def bins(dimension: int) -> Function:
                 return -1.0 - i
             b = (iz * grid[7] + iy) * grid[6] + ix
             bin_of[i] = b
-            start[b + 1] += 1
+            start[b + 2] += 1
         for b in range(nbins):
-            start[b + 1] += start[b]
-        for i in range(total - 1, -1, -1):  # from the back: start[b + 1] walks down to the first place of bin b
+            start[b + 2] += start[b + 1]
+        for i in range(total):  # start[b + 1] walks from the first place of bin b to that of the next
             b = bin_of[i] + 1
-            start[b] -= 1
             at[i] = start[b]
             member[start[b]] = i
-        for b in range(nbins):
-            start[b] = start[b + 1]
-        start[nbins] = total
+            start[b] += 1
         return 0.0
 
     return fill_bins
