@@ -75,15 +75,13 @@ class DataFile:
 
     # ---- words and numbers ------------------------------------------------------------------------------------
 
-    def words(self, line: int, anywhere: bool = False) -> list[str]:
-        """The words of a line. A comment begins at a word that begins with #; with anywhere, at any #."""
+    def words(self, line: int) -> list[str]:
+        """The words of a line. A comment begins at a word that begins with #."""
         text = self.lines[line]
-        if "#" in text:
-            text = text.split("#")[0] if anywhere else re.split(r"(?:^|(?<=\s))#", text)[0]
-        return text.split()
+        return (re.split(r"(?:^|(?<=\s))#", text)[0] if "#" in text else text).split()
 
     def spanned(self, line: int) -> list[Word]:
-        """The words of a line with their places, comments left out."""
+        """The words of a line with their places; a comment begins at any #."""
         text = self.lines[line].split("#")[0]
         return [Word(m[0], Span(self.name, line + 1, m.start() + 1, len(m[0]))) for m in _WORD.finditer(text)]
 

@@ -25,6 +25,7 @@ _EDGE = 1.0e-6  # of the box length: how far outside a periodic face a wrapped a
 _FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out
 _LARGEST_ID = 20_000_000  # tables by ID are kept
 _ANGULAR = "angle", "dihedral", "improper"
+_SUFFIXES = "/omp", "/opt", "/gpu", "/kk", "/intel", "/coul/cut", "/coul/long", "/coul/msm", "/coul/dsf", "/coul/debye"
 
 
 @dataclass
@@ -123,9 +124,9 @@ class Reader:
         sim.box = Box(np.array(header.lo), np.array(header.hi), sim.boundary, sim.dimension)
         self._announce_box()
         sim.define_types(types, bond_types)
-        slots = options.bond_per_atom or header.count("extra bond per atom")
+        slots = max(options.bond_per_atom, header.count("extra bond per atom"))
         sim.atoms = Atoms(slots if sim.has_bonds else 0, 1)
-        sim.extra_special = options.special_per_atom or header.count("extra special per atom")
+        sim.extra_special = max(options.special_per_atom, header.count("extra special per atom"))
         sim.natoms = sim.bonds = sim.step = 0
 
     def _grow_box(self) -> None:
@@ -212,7 +213,7 @@ class Reader:
                     f"Non-zero imageflag(s) in {'xyz'[d]} direction for non-periodic boundary reset to zero"
                 )
                 read.image[:, d] = 0
-        image = ((read.image + 512) & 1023) - 512  # LAMMPS keeps ten bits of each
+        image = _ten_bits(read.image)
         x = read.x + shift if shift.any() else read.x
         inside = self._place(x, image, read.line)
         rows = sim.atoms.append(x[inside], read.type[inside])
@@ -220,7 +221,7 @@ class Reader:
         sim.atoms.tag[new] = read.tag[inside] + self.id_offset
         molecule = read.molecule[inside]
         sim.atoms.molecule[new] = molecule + self.molecule_offset if sim.has_bonds else 0
-        sim.atoms.image[new] = image[inside]
+        sim.atoms.image[new] = _ten_bits(image[inside])
         sim.atoms.mask[new] |= self.options.group
         sim.console.both(f"  {len(rows)} atoms\n")
         if len(rows) != count or self.atoms_read:
@@ -294,7 +295,7 @@ class Reader:
         sim, file = self.sim, self.file
         types = self.header.count("atom types")
         for line in file.take(types, f"one mass for each of {types} atom types"):
-            words, text = file.words(line, anywhere=True), file.lines[line].strip()
+            words, text = file.words(line), file.lines[line].strip()
             if len(words) != 2:
                 file.fail(f"Invalid format in Masses section of data file: {text}", line, hint="type mass")
             kind, mass = file.integer(words[0], line), file.number(words[1], line)
@@ -351,10 +352,16 @@ class Reader:
         return Args(what, words, words[0], f"{what}.html")
 
     def _warn_style(self, kind: str, said: str, current: str) -> None:
-        if said and said != current:
+        longer = said.removeprefix(current)
+        if said and not current.startswith(said) and not (said.startswith(current) and longer in _SUFFIXES):
             self.sim.console.warning(
                 f"{kind} style {said} in data file differs from currently defined {kind.lower()} style {current}"
             )
+
+
+def _ten_bits(image: Ints) -> Ints:
+    """Image flags as LAMMPS keeps them, -512 to 511."""
+    return ((image + 512) & 1023) - 512
 
 
 def read_text(path: Path) -> str:

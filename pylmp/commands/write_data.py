@@ -1,0 +1,60 @@
+"""write_data FILE [nocoeff] [nofix] [nolabelmap] [pair ii|ij] [types numeric|labels]"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pylmp.io.data_write import data_text, warn_unmixed
+from pylmp.io.ready import initialise, wrap_atoms
+from pylmp.io.whole_file import write_whole
+from pylmp.model.registry import command
+from pylmp.model.simulation import Simulation
+from pylmp.text.words import Args, Word
+
+
+@command("write_data", needs_box=True)
+def write_data(sim: Simulation, args: Args) -> None:
+    """Write atoms, velocities, bonds, masses and coefficients; * in the name becomes the step."""
+    name = args.word()
+    coeffs, pairs = True, False
+    while len(args):
+        key = args.word()
+        if key.text == "nocoeff":
+            coeffs = False
+        elif key.text in ("nofix", "nolabelmap"):
+            pass  # no fix here adds a section, and there are no labels
+        elif key.text == "pair":
+            pairs = _choice(args, key, ("ii", "ij")) == "ij"
+        elif key.text == "types":
+            _choice(args, key, ("numeric", "labels"))
+        elif key.text == "triclinic/general":
+            args.fail("Write_data triclinic/general for system that is not general triclinic", key)
+        else:
+            args.fail(f"Unknown write_data keyword: {key.text}", key, hint="nocoeff nofix nolabelmap pair types")
+
+    sim.console.both("System init for write_data ...\n")
+    initialise(sim)
+    wrap_atoms(sim, shrink=True)
+    if sim.atoms.n != sim.natoms:
+        args.fail(
+            "Atom count is inconsistent, cannot write data file", args.owner,
+            hint=f"{sim.natoms - sim.atoms.n} atoms were lost: they are outside the box",
+        )  # fmt: skip
+    if coeffs and not pairs:
+        warn_unmixed(sim)
+    path = Path(name.text.replace("*", str(sim.step), 1))
+    try:
+        write_whole(path, data_text(sim, coeffs, pairs))
+    except OSError as error:
+        args.fail(
+            f"Cannot open data file {path}: {error.strerror}", name, hint="an existing folder that may be written to"
+        )
+
+
+def _choice(args: Args, key: Word, choices: tuple[str, ...]) -> str:
+    if not len(args):
+        args.fail(f"Illegal write_data {key.text} command: missing argument(s)", key, hint=" or ".join(choices))
+    word = args.word()
+    if word.text not in choices:
+        args.fail(f"Unknown write_data {key.text} option: {word.text}", word, hint=" or ".join(choices))
+    return word.text
