@@ -1,0 +1,68 @@
+"""One law, several widths: numpy arrays give the bits that floats give, element by element."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+
+from pylmp.bonds.bpm_spring_plastic import plastic
+from pylmp.model.registry import BONDS, PAIRS
+
+RANDOM = np.random.default_rng(21)
+N = 2000
+R2 = RANDOM.uniform(0.6, 2.3, N) ** 2
+DOT = RANDOM.normal(0, 1, N)
+PLASTIC = [
+    {"smooth": smooth, "normalize": normalize, "break": True, "overlay/pair": False}
+    for smooth, normalize in product((True, False), repeat=2)
+]
+BOND_LAWS = [
+    *(("bpm/spring/plastic", options, (10.3, 0.3, 0.51, 0.021)) for options in PLASTIC),
+    ("quartic", {}, (1200.0, -0.55, 0.25, 1.3, 34.6878)),
+    ("quartic/breakable", {}, (1200.0, -0.55, 0.25, 1.3, 34.6878)),
+    ("quartic/unbreakable", {}, (200.0, -1.55, 0.57, 0.7, 3.022)),
+    ("harmonic", {}, (32.5, 1.13)),
+    ("zero", {}, (1.0,)),
+]
+PAIR_LAWS = [
+    ("lj/cut", {}, (1.3, 0.9), 1.9),
+    ("bpm/spring", {"anharmonic": False}, (2.3, 0.4, 0.0), 1.9),
+    ("bpm/spring", {"anharmonic": True}, (2.3, 0.4, 5.1), 1.9),
+]
+
+
+def test_no_law_is_forgotten() -> None:
+    assert {name for name, _ in BONDS} == {name for name, _, _ in BOND_LAWS}
+    assert {name for name, style in PAIRS if style.law} == {name for name, _, _, _ in PAIR_LAWS}
+
+
+@pytest.mark.parametrize(("name", "options", "c"), BOND_LAWS)
+def test_bond_law(name: str, options: dict, c: tuple) -> None:
+    style = BONDS.find(name)
+    law = style.law(options)
+    h = (RANDOM.uniform(0.9, 1.1, N), RANDOM.normal(0, 0.05, N)) if style.history else ()
+    whole = law(R2, DOT, h, tuple(np.full(N, x) for x in c))
+    for q in range(N):
+        one = law(float(R2[q]), float(DOT[q]), tuple(float(x[q]) for x in h), c)
+        assert [np.broadcast_to(x, N)[q] for x in (whole[0], whole[1], whole[3])] == [one[0], one[1], one[3]]
+        assert [x[q] for x in whole[2]] == list(one[2])
+
+
+@pytest.mark.parametrize(("name", "options", "coeffs", "cut"), PAIR_LAWS)
+def test_pair_law(name: str, options: dict, coeffs: tuple, cut: float) -> None:
+    style = PAIRS.find(name)
+    law = style.law(options)
+    c = style.row(coeffs, cut, True)
+    factor = RANDOM.choice([0.0, 0.5, 1.0], N)
+    force, energy = law(R2, DOT, factor, tuple(np.full(N, x) for x in c))
+    for q in range(N):
+        assert (force[q], energy[q]) == law(float(R2[q]), float(DOT[q]), float(factor[q]), c)
+    assert (force == 0.0).any()
+    assert (force != 0.0).any()
+
+
+def test_every_combination_of_options_is_its_own_law() -> None:
+    forces = {plastic(options)(1.21, 0.3, (1.05, 0.0), (10.0, 0.3, 0.5, 0.02))[0] for options in PLASTIC}
+    assert len(forces) == len(PLASTIC)
