@@ -11,6 +11,9 @@ from typing import Any
 _PROGRAM_BITS, _RELOCATIONS_WITH_ADDEND, _SYMBOLS, _IN_MEMORY = 1, 4, 2, 2
 _ABSOLUTE, _RELATIVE = 1, (2, 4)  # R_X86_64_64; R_X86_64_PC32 and PLT32
 _READ_EXECUTE = 5
+_JUMP = b"\xff\x25\0\0\0\0"  # jmp to the address in the eight bytes behind it
+_STUB_SIZE = 16
+_FROM_C = frozenset({"memset", "memcpy", "memmove", "exp", "log", "pow", "sin", "cos"})
 
 
 def place(code: bytes) -> tuple[Any, int]:
@@ -35,11 +38,19 @@ def _load_elf(code: bytes) -> tuple[Any, int]:
             size = -(-size // step) * step
             offsets[k] = size
             size += length
+    symbols, entry, outside = _symbols(code, sections, offsets)
+    stubs = {}
+    for number, name in outside.items():
+        size = -(-size // _STUB_SIZE) * _STUB_SIZE
+        symbols[number] = size
+        stubs[size] = _JUMP + struct.pack("<Q", _of_c(name))
+        size += _STUB_SIZE
     memory = mmap.mmap(-1, size)
     start = ctypes.addressof(ctypes.c_char.from_buffer(memory))
     for k, offset in offsets.items():
         memory[offset : offset + sections[k][5]] = code[sections[k][4] : sections[k][4] + sections[k][5]]
-    symbols, entry = _symbols(code, sections, offsets)
+    for offset, stub in stubs.items():
+        memory[offset : offset + len(stub)] = stub
     for section in sections:
         if section[1] == _RELOCATIONS_WITH_ADDEND and section[7] in offsets:
             _relocate(memory, start, code, section, offsets[section[7]], symbols)
@@ -49,19 +60,35 @@ def _load_elf(code: bytes) -> tuple[Any, int]:
     return memory, start + entry
 
 
-def _symbols(code: bytes, sections: list[Any], offsets: dict[int, int]) -> tuple[list[int | None], int]:
+def _symbols(code: bytes, sections: list[Any], offsets: dict[int, int]) -> tuple[list[int | None], int, dict[int, str]]:
+    """Where each symbol lies, where the kernel begins, and the names of symbols that lie outside, by number."""
     table = next(s for s in sections if s[1] == _SYMBOLS)
     names = sections[table[6]][4]
     values: list[int | None] = []
-    entry = None
+    entry, outside = None, {}
     for k in range(table[5] // 24):
-        name, _, _, section, value, _ = struct.unpack_from("<IBBHQQ", code, table[4] + 24 * k)
+        name_at, _, _, section, value, _ = struct.unpack_from("<IBBHQQ", code, table[4] + 24 * k)
+        name = code[names + name_at : code.index(0, names + name_at)].decode("ascii")
         values.append(offsets[section] + value if section in offsets else None)
-        if code[names + name : names + name + 7] == b"kernel\0":
+        if section == 0 and name:
+            outside[k] = name
+        if name == "kernel":
             entry = values[-1]
     if entry is None:
         raise ValueError("no kernel in the object")
-    return values, entry
+    return values, entry, outside
+
+
+def _of_c(name: str) -> int:
+    """The address of a function of the C library: the compiler makes loops that fill or copy into calls of memset, ..."""
+    if name not in _FROM_C:
+        raise ValueError(f"{name} is not among the C library's functions a kernel may call")
+    for library in (None, "libm.so.6"):
+        try:
+            return ctypes.cast(getattr(ctypes.CDLL(library), name), ctypes.c_void_p).value or 0
+        except (AttributeError, OSError):
+            continue
+    raise ValueError(f"{name} is not found")
 
 
 def _relocate(memory: mmap.mmap, start: int, code: bytes, section: Any, base: int, symbols: list[int | None]) -> None:

@@ -86,10 +86,25 @@ def word(name):
 
 
 def transcendental():
-    def kernel(x: "f8") -> "f8":
-        return math.exp(x)
+    def powers(x: "f8*", y: "f8*", n: "i8", a: "f8") -> "f8":
+        for i in range(n):
+            y[i] = math.exp(-x[i]) + math.cos(x[i])
+        return math.exp(a) + math.pow(a, 1.7)
 
-    return kernel
+    return powers
+
+
+def fill_and_copy():
+    """What the compiler turns into memset and memcpy."""
+
+    def filled(x: "f8*", y: "f8*", n: "i8", a: "f8") -> "f8":
+        for i in range(n):
+            y[i] = x[i]
+        for i in range(n):
+            x[i] = 0.0
+        return a
+
+    return filled
 
 
 def allocating():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +14,7 @@ import pytest
 from pylmp.kernels import compile as compiler
 from pylmp.kernels import disk, load, store, workers
 from pylmp.kernels.key import key
-from tests.kernels.scenes import allocating, chain, line, soft, spring, transcendental, word
+from tests.kernels.scenes import allocating, chain, fill_and_copy, line, soft, spring, transcendental, word
 
 ROOT = Path(__file__).parents[2]
 EXPECTED = float(chain(spring, soft)(*line()))
@@ -182,10 +183,17 @@ def test_llvm_links_where_the_small_loader_cannot(monkeypatch) -> None:
     assert store.Kernel(chain(spring, soft), code).bind(*line())() == EXPECTED
 
 
-def test_a_call_into_the_c_library_is_linked() -> None:
-    import math
-
-    assert store.kernel(transcendental()).bind(0.7)() == math.exp(0.7)
+@pytest.mark.skipif(sys.platform != "linux" or platform.machine() != "x86_64", reason="the small loader's platform")
+@pytest.mark.parametrize(("function", "called"), [(transcendental(), b"pow"), (fill_and_copy(), b"memset")])
+def test_the_small_loader_links_the_c_library(function, called: bytes, monkeypatch) -> None:
+    assert called in compiler.compile_object(function)
+    monkeypatch.setattr(load, "_load_llvm", lambda _: pytest.fail("left to LLVM"))
+    x, other = np.arange(100.0), np.full(100, 7.0)
+    expected_x, expected_other = x.copy(), other.copy()
+    expected = function(expected_x, expected_other, 100, 0.7)
+    assert store.kernel(function).bind(x, other, 100, 0.7)() == expected
+    assert x.tobytes() == expected_x.tobytes()
+    assert other.tobytes() == expected_other.tobytes()
 
 
 def test_a_kernel_that_allocates_is_refused_by_name() -> None:
