@@ -57,13 +57,11 @@ def _many(sim: Simulation, args: Args) -> None:
     initialise(sim, Request("command create_bonds", full=True, occasional=True))
     if sim.pair is None:
         args.fail("Create_bonds requires a pair style be defined", args.owner, hint="pair_style zero is enough")
-    cutoffs = sim.pair.cut[1:, 1:]
-    if high > float(cutoffs.min()) + sim.neighbor.skin:
-        args.fail(
-            "Create_bonds max distance > neighbor cutoff",
-            high_word,
-            hint=f"at most {cutoffs.min() + sim.neighbor.skin:g}",
-        )
+    shortest, longest = (float(cut) + sim.neighbor.skin for cut in (sim.pair.cut[1:, 1:].min(), sim.pair.cut.max()))
+    if high > longest:
+        args.fail("Create_bonds max distance > neighbor cutoff", high_word, hint=f"at most {longest:g}")
+    if high > shortest:
+        sim.console.warning("Create_bonds max distance > minimum neighbor cutoff")
     if sim.special.lj[0] != 0.0 or sim.special.coul[0] != 0.0:
         args.fail(
             "Create_bonds command requires special_bonds 1-2 weights be 0.0",

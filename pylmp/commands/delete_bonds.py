@@ -45,18 +45,24 @@ def delete_bonds(sim: Simulation, args: Args) -> None:
         if word.text not in _KEYWORDS:
             args.illegal(word, hint=" ".join(_KEYWORDS))
     options = {word.text for word in words}
-    wrap_atoms(sim, shrink=True)
+    wrap_atoms(sim)
 
+    if style.text != "stats" or "remove" in options:
+        _change(sim, style.text, types, bit, options)
+    _report(sim)
+    if "special" in options:
+        build_special(sim)
+
+
+def _change(sim: Simulation, style: str, types: range, bit: int, options: set[str]) -> None:
+    """Turn the chosen bonds off or on; remove the group's bonds that are off or broken."""
     rows, slots, partners = _members(sim, bit, "any" in options)
-    chosen = _chosen(sim, style.text, types, rows, slots, partners)
+    chosen = _chosen(sim, style, types, rows, slots, partners)
     _toggle(sim, rows[chosen], slots[chosen], undo="undo" in options)
     if "remove" in options:
         _remove(sim, rows, slots)
         total = int(sim.atoms.num_bond[: sim.atoms.n].sum())
         sim.bonds = total if sim.newton_bond else total // 2
-    _report(sim)
-    if "special" in options:
-        build_special(sim)
 
 
 def _types(sim: Simulation, args: Args, style: Word) -> range:

@@ -34,7 +34,7 @@ def write_data(sim: Simulation, args: Args) -> None:
 
     sim.console.both("System init for write_data ...\n")
     initialise(sim)
-    wrap_atoms(sim, shrink=True)
+    wrap_atoms(sim)
     if sim.atoms.n != sim.natoms:
         args.fail(
             "Atom count is inconsistent, cannot write data file", args.owner,

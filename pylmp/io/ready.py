@@ -15,8 +15,11 @@ def initialise(sim: Simulation, *requests: Request) -> None:
         announce(sim, (*requests, Request(f"pair {sim.pair.style.name}")))
 
 
-def wrap_atoms(sim: Simulation, shrink: bool = False) -> float:
-    """Atoms back into the box; those farther out are lost. Returns the ghost cutoff, with LAMMPS's warnings about it."""
+def wrap_atoms(sim: Simulation) -> float:
+    """Atoms back into the box, shrink-wrapped faces to the atoms; atoms farther out are lost.
+
+    Returns the ghost cutoff, with LAMMPS's warnings about it.
+    """
     atoms = sim.atoms
     cutoff = ghost_cutoff(sim, warn=True)
     if cutoff == 0.0:
@@ -26,8 +29,7 @@ def wrap_atoms(sim: Simulation, shrink: bool = False) -> float:
         )
     atoms.clear_ghosts()
     sim.box.wrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
-    if shrink:
-        sim.box.shrink(atoms.x[: atoms.n])
+    sim.box.shrink(atoms.x[: atoms.n])
     x = atoms.x[: atoms.n]
     if ((x < sim.box.lo) | (x >= sim.box.hi)).any():
         for listed in sim.bond_lists:
