@@ -13,10 +13,15 @@ import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from pylmp import __version__
+from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError, Unsupported, render
+from pylmp.text.lines import decode
+
+if TYPE_CHECKING:
+    from pylmp.interpreter import Interpreter
 
 OK, WRONG, USAGE, UNSUPPORTED, INTERRUPTED = 0, 1, 2, 5, 130
 BANNER = "LAMMPS (22 Jul 2025 - Update 4)"  # what log readers look for: the release whose numbers these are
@@ -37,6 +42,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except SystemExit as leave:
         return int(leave.code or 0)
     _script_after_var(options)
+    if options.script is None and options.input is None and sys.stdin.isatty():
+        _parser().print_help()
+        return USAGE
+    if any(len(variable) < 2 for variable in options.var):
+        print("pylmp: error: -var takes a name and at least one value", file=sys.stderr)
+        return USAGE
     return Session(options).run()
 
 
@@ -98,24 +109,31 @@ class Session:
         if options.engine == "lammps":
             return self._on_lammps(path)
         from pylmp.engines.exact import Exact
-        from pylmp.interpreter import Interpreter, read_script
-        from pylmp.model.console import Console
+        from pylmp.interpreter import Interpreter
         from pylmp.model.simulation import Simulation
 
-        console = Console(self._open(options.screen, sys.stdout), self._open(options.log, None))
+        try:
+            console = Console(self._open(options.screen, "screen", sys.stdout), self._open(options.log, "log", None))
+        except OSError as error:
+            print(f"ERROR: {error}", file=sys.stderr)
+            return WRONG
         sim = Simulation(console, Exact())
         sim.strict, sim.skip_run = options.strict, options.skiprun
         interpreter = Interpreter(sim, options.allow)
         interpreter.echo = options.echo
-        console.both(f"{BANNER}\n  using 1 OpenMP thread(s) per MPI task\n")
+        console.both(f"{BANNER}\n  pylmp {__version__}, engine {sim.engine.name if sim.engine else 'none'}, 1 thread\n")
+        if options.skiprun:
+            console.both("New timer settings: style=normal  mode=nosync  timeout=00:00:00\n")
         if options.suffix or options.package:
-            console.both("-sf and -pk are accepted and change nothing: each style has one implementation here\n")
+            console.both("  -suffix and -package change nothing: each style has one implementation here\n")
         finished = False
         try:
             for name, *values in options.var:
                 interpreter.variables.set_index(name, values)
-            text = read_script(Path(path)) if path else sys.stdin.read()
-            interpreter.run(text, str(path or "<stdin>"))
+            if path:
+                interpreter.run_file(Path(path))
+            else:
+                interpreter.run(decode(sys.stdin.buffer.read(), "<stdin>"), "<stdin>")
             code, finished = OK, True
         except BaseException as error:
             code = self._explain(error, interpreter)
@@ -128,11 +146,13 @@ class Session:
         self._close(console)
         return code
 
-    def _explain(self, error: BaseException, interpreter) -> int:  # type: ignore[no-untyped-def]
+    def _explain(self, error: BaseException, interpreter: Interpreter) -> int:
         """Say what ended the script; the exit code."""
         from pylmp.text.leave import Quit
 
         console = interpreter.sim.console
+        if console.screen_file is None and not isinstance(error, Quit):
+            console = Console(sys.stderr, console.log_file)
         if isinstance(error, Quit):
             return error.code
         if isinstance(error, ScriptError):
@@ -153,19 +173,19 @@ class Session:
         return WRONG
 
     @staticmethod
-    def _open(name: str | None, default: TextIO | None) -> TextIO | None:
+    def _open(name: str | None, what: str, default: TextIO | None) -> TextIO | None:
+        """The stream for a switch's FILE. Raises OSError with LAMMPS's sentence."""
         if name is None:
             return default
         if name == "none":
             return None
         try:
-            return open(name, "w")  # noqa: SIM115
+            return open(name, "w", errors="surrogateescape")
         except OSError as error:
-            print(f"ERROR: Cannot open {name}: {error.strerror}", file=sys.stderr)
-            return default
+            raise OSError(f"Cannot open {what} file {name}: {error.strerror}") from None
 
     @staticmethod
-    def _close(console) -> None:  # type: ignore[no-untyped-def]
+    def _close(console: Console) -> None:
         with contextlib.suppress(BrokenPipeError):
             console.flush()
         if console.log_file is not None:

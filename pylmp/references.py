@@ -39,6 +39,8 @@ class Scope:
         if found is None:
             known = " ".join(self._sim.computes)
             raise ScriptError(f"Invalid compute ID '{name}' in variable formula", hint=f"computes: {known}")
+        if not found.ready:
+            raise FormulaError("Variable formula compute cannot be invoked before initialization by a run")
         return self._entry(found, "compute", name, index)
 
     def fix(self, name: str, index: Sequence[int]) -> float:
@@ -121,4 +123,4 @@ class Scope:
 
     def clock(self) -> Clock:
         sim = self._sim
-        return Clock(sim.step, sim.begin, sim.end, sim.dt)
+        return Clock(sim.step, sim.begin, sim.end if sim.output.running else sim.begin, sim.dt)

@@ -28,6 +28,7 @@ class Compute:
     extensive_scalar = False
     extensive_vector = False
     needs_tally = False
+    ready = False  # a run was set up since its definition
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         self.id = identity

@@ -167,4 +167,5 @@ class Simulation:
                 fix.init(self)
         for compute in self.computes.values():
             compute.init(self)
+            compute.ready = True
         self.output.init(self)

@@ -82,6 +82,9 @@ def _round(x: float) -> float:
     return float(math.ceil(x) if x - math.floor(x) >= 0.5 else math.floor(x))
 
 
+_NEVER = float(2**63 - 1024)  # a step that does not come
+
+
 def _require(holds: bool) -> None:
     if not holds:
         raise FormulaError("Invalid math function in variable formula")
@@ -126,8 +129,8 @@ def _stride(a: float, b: float, c: float, clock: Clock) -> float:
         return float(first)
     if clock.step < last:
         following = clock.step + every - (clock.step - first) % every
-        return float(following) if following <= last else 9.0e18
-    return 9.0e18
+        return float(following) if following <= last else _NEVER
+    return _NEVER
 
 
 def _time(clock: Clock) -> float:

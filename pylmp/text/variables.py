@@ -19,6 +19,7 @@ _ELSEWHERE = (
     "world", "universe", "uloop", "getenv", "file", "atomfile", "format", "python", "timer", "internal", "atom", "vector",
 )  # fmt: skip
 _ADVANCING = ("index", "loop")
+_NAME = re.compile("[A-Za-z0-9_]+")
 _FORM = re.compile(r"[^%]*%[-+ #0]*\d*\.\d+[eEfFgG][^%]*")
 _DEEPEST = 100  # variables that refer to variables
 
@@ -65,7 +66,7 @@ class Variables:
                 )
             self.known.pop(name.text, None)
             return
-        if not re.fullmatch(r"\w+", name.text, re.ASCII):
+        if not _NAME.fullmatch(name.text):
             args.fail(f"Variable name '{name.text}' must have only letters, numbers, or underscores", name)
         if style.text in _ELSEWHERE:
             raise Unsupported(
@@ -99,7 +100,9 @@ class Variables:
         self.known[name.text] = Variable(style.text, [text])
 
     def set_index(self, name: str, values: list[str]) -> None:
-        """-var on the command line."""
+        """-var on the command line. Raises ScriptError."""
+        if not _NAME.fullmatch(name):
+            raise ScriptError(f"Variable name '{name}' must have only letters, numbers, or underscores", manual="Run_options.html")
         self.known.setdefault(name, Variable("index", values))
 
     @staticmethod

@@ -87,10 +87,12 @@ class Args:
             word = self.words[high] if count > high else self.words[-1] if self.words else self.owner
             self.fail(f"Illegal {self.what} command: expected {wording} but found {count}", word)
 
-    def need(self, count: int) -> None:
-        """Fail unless at least count words remain."""
+    def need(self, count: int, key: str = "") -> None:
+        """Fail unless at least count words remain; key: the keyword they belong to."""
         if len(self) < count:
-            self.missing()
+            last = self.words[-1] if self.words else self.owner
+            what = f"{self.what} {key}" if key else self.what
+            self.fail(f"Illegal {what} command: missing argument(s)", last)
 
     def take(self, text: str) -> bool:
         """Take the next word if it is text."""
