@@ -7,6 +7,7 @@ from pathlib import Path
 from pylmp.io.data_write import data_text, warn_unmixed
 from pylmp.io.ready import initialise, wrap_atoms
 from pylmp.io.whole_file import write_whole
+from pylmp.model.paths import writable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args, Word
@@ -42,6 +43,7 @@ def write_data(sim: Simulation, args: Args) -> None:
         )  # fmt: skip
     if coeffs and not pairs:
         warn_unmixed(sim)
+    writable(sim, name)
     path = Path(name.text.replace("*", str(sim.step), 1))
     try:
         write_whole(path, data_text(sim, coeffs, pairs))

@@ -10,6 +10,7 @@ from pylmp.dumps.file import DumpFile
 from pylmp.dumps.frame import Field, order, text, user_formats
 from pylmp.dumps.settings import ELSEWHERE, SETTINGS, read_format
 from pylmp.model.atoms import Ints
+from pylmp.model.paths import writable
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.printf import Format
@@ -32,6 +33,7 @@ class Dump:
         self, sim: Simulation, identity: str, group: str, bit: int, every: int, path: Word, args: Args
     ) -> None:  # fmt: skip
         self.id, self.group, self.bit, self.every = identity, group, bit, every
+        writable(sim, path)
         self.file = DumpFile(args, path)
         self.fields: list[Field] = []
         self.first = self.pbc = self.units = self.time = False
