@@ -1,4 +1,4 @@
-"""compute ID all pe [pair bond]: potential energy. Source: LAMMPS manual, compute_pe.html."""
+"""compute ID all pe [pair bond fix]: potential energy. Source: LAMMPS manual, compute_pe.html."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
-_NOTHING_HERE = ("angle", "dihedral", "improper", "kspace", "fix")
+_NOTHING_HERE = ("angle", "dihedral", "improper", "kspace")
 
 
 @COMPUTES.register("pe")
@@ -24,10 +24,10 @@ class PotentialEnergy(Compute):
         parts = []
         while len(args):
             key = args.word()
-            if key.text not in ("pair", "bond", *_NOTHING_HERE):
-                args.illegal(key, hint="pair bond")
+            if key.text not in ("pair", "bond", "fix", *_NOTHING_HERE):
+                args.fail(f"Unknown compute pe keyword {key.text}", key, hint="pair bond fix")
             parts.append(key.text)
-        self.parts = parts or ["pair", "bond"]
+        self.parts = parts or ["pair", "bond", "fix"]
 
     def scalar(self, sim: Simulation) -> float:
         if sim.tally.step != sim.step:
@@ -39,4 +39,10 @@ class PotentialEnergy(Compute):
             energy += sim.tally.bond
         if "pair" in self.parts and sim.pair is not None:
             energy += sim.pair.tails(sim)[0] / sim.box.volume
+        if "fix" in self.parts:
+            extra = 0.0
+            for fix in sim.fixes:
+                if fix.in_energy:
+                    extra += fix.scalar(sim)  # type: ignore[attr-defined]
+            energy += extra
         return energy

@@ -1,4 +1,4 @@
-"""compute ID all pressure TEMP-ID|NULL [ke pair bond virial]: pressure and its tensor.
+"""compute ID all pressure TEMP-ID|NULL [ke pair bond fix virial]: pressure and its tensor.
 
 P = (dof kB T + W_xx + W_yy + W_zz)/(d V) in pressure units. Source: LAMMPS manual, compute_pressure.html.
 """
@@ -14,8 +14,8 @@ from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args
 
-_PARTS = ("ke", "pair", "bond", "virial")
-_NOTHING_HERE = ("angle", "dihedral", "improper", "kspace", "fix")
+_PARTS = ("ke", "pair", "bond", "fix", "virial")
+_NOTHING_HERE = ("angle", "dihedral", "improper", "kspace")
 
 
 @COMPUTES.register("pressure")
@@ -32,17 +32,25 @@ class Pressure(Compute):
         self.temperature = None if word.text == "NULL" else word.text
         if self.temperature is not None and self.temperature not in sim.computes:
             args.fail(f"Could not find compute pressure temperature ID {word.text}", word)
+        if self.temperature is not None and not hasattr(sim.computes[self.temperature], "dof"):
+            args.fail(f"Compute pressure temperature ID {word.text} does not compute temperature", word, hint="thermo_temp")
         parts = []
         while len(args):
             key = args.word()
             if key.text == "pair/hybrid":
                 raise Unsupported("LAMMPS has compute pressure pair/hybrid, pylmp's native engines do not", key.span)
             if key.text not in (*_PARTS, *_NOTHING_HERE):
-                args.illegal(key, hint="ke pair bond virial")
+                args.fail(f"Unknown compute pressure keyword {key.text}", key, hint="ke pair bond fix virial")
             parts.append(key.text)
         self.parts = parts or ["ke", "virial"]
         if "ke" in self.parts and self.temperature is None:
             args.fail("Compute pressure requires temperature ID to include kinetic energy", word)
+
+    def init(self, sim: Simulation) -> None:
+        if self.temperature is not None and self.temperature not in sim.computes:
+            raise ScriptError(
+                f"Could not find compute pressure temperature ID {self.temperature}", hint="uncompute took it away"
+            )
 
     def virial(self, sim: Simulation) -> Floats:
         """(6,) xx yy zz xy xz yz of the parts asked for."""
@@ -52,6 +60,10 @@ class Pressure(Compute):
         for name, values in (("pair", sim.tally.pair_virial), ("bond", sim.tally.bond_virial)):
             if name in self.parts or "virial" in self.parts:
                 result = result + np.array(values)
+        if "fix" in self.parts or "virial" in self.parts:
+            for fix in sim.fixes:
+                if fix.in_virial:
+                    result = result + fix.virial(sim)  # type: ignore[attr-defined]
         if sim.pair is not None and sim.pair.tail and ("pair" in self.parts or "virial" in self.parts):
             result[:3] += sim.pair.tails(sim)[1] * (1.0 / sim.box.volume)
         return result

@@ -1,4 +1,4 @@
-"""fix ID GROUP setforce fx fy fz: forces are replaced (NULL leaves a component alone).
+"""fix ID GROUP setforce fx fy fz [region ID]: forces are replaced (NULL leaves a component alone).
 
 vector: total force before, three components. Source: LAMMPS manual, fix_setforce.html.
 """
@@ -8,8 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from pylmp.model.atoms import Floats
-from pylmp.model.fix import Fix
-from pylmp.model.forces import read_components
+from pylmp.model.forces import ForceFix, read_components
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import totals
@@ -17,13 +16,15 @@ from pylmp.text.words import Args
 
 
 @FIXES.register("setforce")
-class SetForce(Fix):
+class SetForce(ForceFix):
     style = "setforce"
     extensive_vector = True
+    length = 3
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
-        self.force = read_components(args, ("region",), null=True)
+        self.force = read_components(args, null=True)
+        self.read_keywords(sim, args, {})
         self._before = np.zeros(3)
 
     def post_force(self, sim: Simulation) -> None:

@@ -23,11 +23,19 @@ class Fix:
     every   end_of_step runs on multiples of this step count
     integrates    it moves atoms (LAMMPS warns when no fix of a run does)
     changes_box   it changes the box during the run
+    has_energy has_virial   fix_modify may count its scalar in the potential energy, its virial in the pressure
+    in_energy in_virial     it did
+    couples       its scalar is energy exchanged with a heat bath (thermo keyword ecouple)
+    length        components of its vector
     """
 
     style: ClassVar[str] = ""
     integrates: ClassVar[bool] = False
     changes_box: ClassVar[bool] = False
+    has_energy: ClassVar[bool] = False
+    has_virial: ClassVar[bool] = False
+    couples: ClassVar[bool] = False
+    in_energy = in_virial = False
     every: int = 1
     internal = False  # made by a style, not by a fix command
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from pylmp.model.atoms import Atoms
 from pylmp.model.box import Box
+from pylmp.model.checks import check_integration, check_neighbor_settings
 from pylmp.model.console import Console
 from pylmp.model.groups import Groups
 from pylmp.model.output import Output, add_default_computes
@@ -168,4 +169,6 @@ class Simulation:
         for compute in self.computes.values():
             compute.init(self)
             compute.ready = True
+        check_integration(self)
+        check_neighbor_settings(self)
         self.output.init(self)
