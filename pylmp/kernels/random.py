@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-
 _MODULUS, _FACTOR, _QUOTIENT, _REMAINDER = 2147483647, 16807, 127773, 2836
 _SCALE = 1.0 / _MODULUS
 _32BITS = 0xFFFFFFFF

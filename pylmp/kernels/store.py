@@ -34,7 +34,7 @@ class Kernel:
         self.name = function.__name__
         self.kinds = arguments(function)
         self.owner, self.address = place(code)
-        native = [_SCALARS.get(kind, ctypes.c_void_p) for kind in self.kinds]
+        native: list[Any] = [_SCALARS.get(kind, ctypes.c_void_p) for kind in self.kinds]
         self._call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *native)(self.address)
 
     def bind(self, *values: Any) -> Callable[[], float]:
