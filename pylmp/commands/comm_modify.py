@@ -5,9 +5,10 @@ from __future__ import annotations
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import Unsupported
+from pylmp.text.number import shortest
 from pylmp.text.words import Args
 
-_ELSEWHERE = ("cutoff/multi", "cutoff/bond", "group", "reduce/multi", "gather")
+_ELSEWHERE = ("cutoff/bond", "group", "reduce/multi", "gather")
 
 
 @command("comm_modify")
@@ -17,22 +18,24 @@ def comm_modify(sim: Simulation, args: Args) -> None:
     while len(args):
         key = args.word()
         if key.text == "cutoff":
-            args.need(1)
+            args.need(1, key.text)
             word = args.word()
             value = args.as_number(word)
             if value < 0.0:
-                args.fail("Invalid cutoff in comm_modify command", word)
+                args.fail(f"Invalid cutoff {shortest(value)} in comm_modify command", word, hint="zero or more")
             sim.comm.cutoff = value
         elif key.text == "vel":
-            args.need(1)
+            args.need(1, key.text)
             sim.comm.velocity = args.yes()
         elif key.text == "mode":
-            args.need(1)
+            args.need(1, key.text)
             mode = args.word()
             if mode.text in ("multi", "multi/old"):
                 raise Unsupported(f"LAMMPS has comm_modify mode {mode.text}, pylmp's native engines do not", mode.span)
             if mode.text != "single":
                 args.fail(f"Unknown comm_modify mode argument: {mode.text}", mode, hint="single")
+        elif key.text == "cutoff/multi":
+            args.fail("Use cutoff keyword to set cutoff in single mode", key, hint="cutoff R")
         elif key.text in _ELSEWHERE:
             raise Unsupported(f"LAMMPS has comm_modify {key.text}, pylmp's native engines do not", key.span)
         else:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from pylmp.model.registry import COMPUTES, command
 from pylmp.model.simulation import Simulation
 from pylmp.model.unknown import unknown_style
@@ -15,11 +17,16 @@ def compute(sim: Simulation, args: Args) -> None:
     identity, group, style = args.word(), args.word(), args.word()
     if identity.text in sim.computes:
         args.fail(f"Reuse of compute ID '{identity.text}'", identity, hint="another ID, or uncompute first")
-    bit = sim.groups.bit(group.text)
-    if not bit:
-        args.fail(f"Could not find compute group ID {group.text}", group, hint=f"groups: {' '.join(sim.groups.names)}")
     kind = COMPUTES.find(style.text)
     if kind is None:
         unknown_style(args, style, "compute", COMPUTES)
+    if not re.fullmatch(r"\w+", identity.text, re.ASCII):
+        args.fail(f"Compute ID {identity.text} must only have alphanumeric or underscore characters", identity)
+    bit = sim.groups.bit(group.text)
+    if not bit:
+        args.fail(
+            f"Group ID {group.text} requested by compute {style.text} does not exist", group,
+            hint=f"groups: {' '.join(sim.groups.names)}",
+        )  # fmt: skip
     inner = Args(f"compute {style.text}", args.rest(), style, f"compute_{style.text.replace('/', '_')}.html")
     sim.computes[identity.text] = kind(sim, identity.text, group.text, bit, inner)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from pylmp.model.registry import FIXES, command
 from pylmp.model.simulation import Simulation
 from pylmp.model.unknown import unknown_style
@@ -13,6 +15,8 @@ def fix(sim: Simulation, args: Args) -> None:
     """Define a fix. An ID may be used again with the same style and group: the new one takes the old one's place."""
     args.need(3)
     identity, group, style = args.word(), args.word(), args.word()
+    if not re.fullmatch(r"\w+", identity.text, re.ASCII):
+        args.fail("Fix ID must be alphanumeric or underscore characters", identity)
     bit = sim.groups.bit(group.text)
     if not bit:
         args.fail(f"Could not find fix group ID {group.text}", group, hint=f"groups: {' '.join(sim.groups.names)}")

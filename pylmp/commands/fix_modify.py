@@ -37,4 +37,6 @@ def fix_modify(sim: Simulation, args: Args) -> None:
             if found.bit != fix.bit:
                 sim.console.warning(f"Group for fix_modify temp != fix group: {found.group} vs {fix.group}")
         else:
-            args.fail(f"Fix {fix.id} {fix.style} does not support fix_modify {key.text} command", key, hint="energy yes|no")
+            args.fail(
+                f"Fix {fix.id} {fix.style} does not support fix_modify {key.text} command", key, hint="energy yes|no"
+            )

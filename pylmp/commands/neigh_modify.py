@@ -17,14 +17,15 @@ def neigh_modify(sim: Simulation, args: Args) -> None:
     while len(args):
         key = args.word()
         if key.text in ("every", "delay", "one", "page"):
-            args.need(1)
+            args.need(1, key.text)
             word = args.word()
             value = args.as_integer(word)
-            if value < (0 if key.text == "delay" else 1):
+            least = {"every": 1, "delay": 0}.get(key.text, value)
+            if value < least:
                 args.fail(f"Invalid neigh_modify {key.text} argument: {value}", word)
             setattr(settings, key.text, value)
         elif key.text == "check":
-            args.need(1)
+            args.need(1, key.text)
             settings.check = args.yes()
         elif key.text in _ELSEWHERE:
             raise Unsupported(f"LAMMPS has neigh_modify {key.text}, pylmp's native engines do not", key.span)

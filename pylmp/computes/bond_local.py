@@ -33,13 +33,16 @@ class BondLocal(Compute):
         super().__init__(sim, identity, group, bit, args)
         if not sim.has_bonds:
             args.fail("Compute bond/local used when bonds are not allowed", args.owner, hint="atom_style bond")
-        args.need(1)
+        if not len(args):
+            args.illegal(args.owner, hint=" ".join(_VALUES))
         self.names = []
         for word in args.rest():
             if word.text == "set" or word.text.startswith("v_"):
                 raise Unsupported(
                     "LAMMPS has variables in compute bond/local, pylmp's native engines do not", word.span
                 )
+            if re.fullmatch(r"b\d+", word.text) and int(word.text[1:]) == 0:
+                args.fail(f"Invalid keyword {word.text} in compute bond/local command", word, hint="b1 b2")
             if word.text not in _VALUES and not re.fullmatch(r"b[1-9]\d*", word.text):
                 args.fail(f"Unknown compute bond/local keyword: {word.text}", word, hint=" ".join(_VALUES) + " b1 b2")
             self.names.append(word.text)

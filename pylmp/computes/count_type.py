@@ -23,12 +23,12 @@ class CountType(Compute):
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
         if len(args) != 1:
-            args.illegal(args.owner, hint="atom or bond")
+            args.fail("Incorrect number of args for compute count/type command", args.owner, hint="atom or bond")
         mode = args.word()
         if mode.text in ("angle", "dihedral", "improper"):
             raise Unsupported(f"LAMMPS has compute count/type {mode.text}, pylmp's native engines do not", mode.span)
         if mode.text not in ("atom", "bond"):
-            args.fail(f"Unknown compute count/type mode: {mode.text}", mode, hint="atom or bond")
+            args.fail(f"Invalid compute count/type keyword {mode.text}", mode, hint="atom or bond")
         if mode.text == "bond" and not sim.has_bonds:
             args.fail("Compute count/type bond command with no bonds defined", mode)
         self.mode = mode.text

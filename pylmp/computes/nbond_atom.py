@@ -24,8 +24,9 @@ class BondsOfAtom(Compute):
         self.kind = 0
         while len(args):
             key = args.word()
-            if key.text != "bond/type" or not len(args):
-                args.fail("Unknown compute nbond/atom command keyword", key, hint="bond/type N")
+            if key.text != "bond/type":
+                args.fail(f"Unknown compute nbond/atom command {key.text}", key, hint="bond/type N")
+            args.need(1, key.text)
             self.kind = args.integer()
 
     def per_atom(self, sim: Simulation) -> Floats:

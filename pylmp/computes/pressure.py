@@ -33,7 +33,9 @@ class Pressure(Compute):
         if self.temperature is not None and self.temperature not in sim.computes:
             args.fail(f"Could not find compute pressure temperature ID {word.text}", word)
         if self.temperature is not None and not hasattr(sim.computes[self.temperature], "dof"):
-            args.fail(f"Compute pressure temperature ID {word.text} does not compute temperature", word, hint="thermo_temp")
+            args.fail(
+                f"Compute pressure temperature ID {word.text} does not compute temperature", word, hint="thermo_temp"
+            )
         parts = []
         while len(args):
             key = args.word()

@@ -15,7 +15,7 @@ from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args
 
-_ELSEWHERE = ("natom", "ntype", "patom", "ptype", "aatom", "atype", "datom", "dtype", "iatom", "itype")
+_ELSEWHERE = ("natom", "ntype", "patom", "ptype")
 
 
 def rows_of_bonds(sim: Simulation, inside, wanted) -> tuple[Ints, Ints, Ints]:  # type: ignore[no-untyped-def]
@@ -37,6 +37,12 @@ class PropertyLocal(Compute):
         self.names = []
         for word in args.rest():
             if word.text not in ("batom1", "batom2", "btype"):
+                if word.text.rstrip("1234") in ("aatom", "atype", "datom", "dtype", "iatom", "itype"):
+                    args.fail(
+                        "Compute property/local for property that isn't allocated", word, hint="batom1 batom2 btype"
+                    )
+                if word.text.rstrip("1234") in _ELSEWHERE and self.names:
+                    args.fail("Compute property/local cannot use these inputs together", word)
                 if word.text.rstrip("1234") in _ELSEWHERE or word.text == "cutoff":
                     raise Unsupported(
                         f"LAMMPS has compute property/local {word.text}, pylmp's native engines do not", word.span

@@ -1,7 +1,9 @@
-"""compute ID GROUP reduce MODE inputs... [inputs peratom|local]: one number from many.
+"""compute ID GROUP reduce MODE inputs... [inputs peratom|local] [replace I J]: one number from many.
 
-Modes sum min max ave sumsq avesq sumabs aveabs maxabs minabs. Source: LAMMPS manual, compute_reduce.html.
-LAMMPS 22 Jul 2025 returns 1e20 for minabs whatever the input; so does this.
+Modes sum min max ave sumsq avesq sumabs aveabs maxabs minabs. replace: value I is that of the row where value J has its
+extreme. Source: LAMMPS manual, compute_reduce.html.
+As LAMMPS 22 Jul 2025 does, minabs gives 1e20 whatever the input, and aveabs of several inputs gives their sums.
+sumabs of several inputs is undefined there; here it is the sum.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from pylmp.model.simulation import Simulation
 from pylmp.model.sums import total
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args, Word
+from pylmp.thermo.reference import expand
 
 _BIG = 1.0e20
 _MODES = ("sum", "min", "max", "ave", "sumsq", "avesq", "sumabs", "aveabs", "maxabs", "minabs")
@@ -39,18 +42,29 @@ class Reduce(Compute):
         while (word := args.peek()) is not None and (word.text in _PLAIN or re.match(r"[cfv]_", word.text)):
             words.append(args.word())
         self.local_inputs = False
+        self.replace: dict[int, int] = {}
+        pairs = []
         while len(args):
             key = args.word()
-            if key.text == "replace":
-                raise Unsupported("LAMMPS has compute reduce replace, pylmp's native engines do not", key.span)
-            if key.text != "inputs":
-                args.fail(f"Unknown compute reduce keyword: {key.text}", key, hint="inputs peratom|local")
-            value = args.word()
-            if value.text not in ("peratom", "local"):
-                args.illegal(value, hint="inputs peratom or inputs local")
-            self.local_inputs = value.text == "local"
+            if key.text == "inputs":
+                args.need(1, key.text)
+                value = args.word()
+                if value.text not in ("peratom", "local"):
+                    args.fail(f"Unknown compute reduce inputs argument: {value.text}", value, hint="peratom or local")
+                self.local_inputs = value.text == "local"
+            elif key.text == "replace":
+                args.need(2, key.text)
+                if self.mode not in ("min", "max"):
+                    args.fail("Compute reduce replace requires min or max mode", key)
+                pairs.append((args.word(), args.word()))
+            else:
+                args.fail(f"Unknown compute reduce keyword: {key.text}", key, hint="inputs replace")
         if not words:
             args.missing()
+        for values in ("per_atom", "local"):
+            words = expand(sim, args, words, values)
+        for pair in pairs:
+            self._replace(args, pair, len(words))
         self.inputs = [self._input(sim, args, word) for word in words]
         self.length = len(self.inputs)
         if self.length > 1:
@@ -59,9 +73,20 @@ class Reduce(Compute):
             self.vector = None  # type: ignore[method-assign,assignment]
         self.extensive_scalar = self.extensive_vector = self.mode in ("sum", "sumsq", "sumabs")
 
+    def _replace(self, args: Args, pair: tuple[Word, Word], count: int) -> None:
+        first, second = (args.as_integer(word) - 1 for word in pair)
+        for word, which, at in ((pair[0], "first", first), (pair[1], "second", second)):
+            if not 0 <= at < count:
+                args.fail(f"Invalid compute reduce replace {which} column index {at}", word, hint=f"1 to {count}")
+        if first == second:
+            args.fail("Compute {} replace columns must be different", pair[1])
+        self.replace[first] = second
+
     def _input(self, sim: Simulation, args: Args, word: Word) -> tuple[str, str, int]:
         """(kind, name, column from 1, 0 for a vector); kind is plain, c or f."""
         if word.text in _PLAIN:
+            if self.local_inputs:
+                args.fail("Compute {} inputs must be all local", word, hint="c_ID or f_ID with local values")
             return "plain", word.text, 0
         found = re.fullmatch(r"([cfv])_([A-Za-z0-9_]+)(?:\[(\d+)\])?", word.text)
         if not found:
@@ -70,18 +95,21 @@ class Reduce(Compute):
             raise Unsupported("LAMMPS has variables in compute reduce, pylmp's native engines do not", word.span)
         kind, name = found[1], found[2]
         source = self._source(sim, kind, name)
+        what, shape = "compute" if kind == "c" else "fix", "local" if self.local_inputs else "per-atom"
         if source is None:
-            what = "Compute" if kind == "c" else "Fix"
-            args.fail(f"{what} ID {name} for compute reduce does not exist", word)
-        wanted = "local" if self.local_inputs else "per_atom"
-        if getattr(source, wanted, None) is None:
-            values = "local" if self.local_inputs else "per-atom"
-            what = "compute" if kind == "c" else "fix"
-            args.fail(
-                f"Compute reduce {what} {name} does not calculate {values} values", word,
-                hint="inputs local" if not self.local_inputs and hasattr(source, "local") else "",
-            )  # fmt: skip
-        return kind, name, int(found[3] or 0)
+            args.fail(f"{what.capitalize()} ID {name} for compute reduce does not exist", word)
+        if getattr(source, shape.replace("-", "_"), None) is None:
+            hint = "inputs local" if not self.local_inputs and hasattr(source, "local") else ""
+            args.fail(f"Compute reduce {what} {name} does not calculate {shape} values", word, hint=hint)
+        column, columns = int(found[3] or 0), int(getattr(source, "columns", 0))
+        columns = 0 if columns == 1 else columns
+        if column and not columns:
+            args.fail(f"Compute reduce {what} {name} does not calculate a {shape} array", word, hint=f"{kind}_{name}")
+        if columns and not column:
+            args.fail(f"Compute reduce {what} {name} does not calculate a {shape} vector", word, hint=f"{word.text}[1]")
+        if column > columns:
+            args.fail(f"Compute reduce {what} {name} array is accessed out-of-range", word, hint=f"1 to {columns}")
+        return kind, name, column
 
     @staticmethod
     def _source(sim: Simulation, kind: str, name: str) -> Any:
@@ -97,6 +125,8 @@ class Reduce(Compute):
         source = self._source(sim, kind, name)
         if source is None:
             raise ScriptError(f"{'Compute' if kind == 'c' else 'Fix'} ID {name} for compute reduce does not exist")
+        if sim.step % getattr(source, "compatible_every", 1):
+            raise ScriptError(f"Fix {name} used in compute reduce not computed at compatible time")
         values = source.local(sim) if self.local_inputs else source.per_atom(sim)
         if column:
             values = values[:, column - 1]
@@ -118,7 +148,7 @@ class Reduce(Compute):
             return float(np.abs(values).max()) if len(values) else 0.0
         else:
             return _BIG
-        if mode.startswith("ave") and len(values):
+        if mode.startswith("ave") and len(values) and not (mode == "aveabs" and self.length > 1):
             result = result / len(values)
         return result
 
@@ -126,4 +156,10 @@ class Reduce(Compute):
         return self._reduce(self._values(sim, self.inputs[0]))
 
     def vector(self, sim: Simulation) -> Floats:  # type: ignore[no-redef]
-        return np.array([self._reduce(self._values(sim, item)) for item in self.inputs])
+        table = [self._values(sim, item) for item in self.inputs]
+        result = np.array([self._reduce(values) for values in table])
+        for to, by in self.replace.items():
+            if len(table[by]):
+                row = table[by].argmin() if self.mode == "min" else table[by].argmax()
+                result[to] = table[to][row]
+        return result

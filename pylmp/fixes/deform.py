@@ -47,6 +47,7 @@ class Deform(Fix):
             elif key.text in ("xy", "xz", "yz", "flip"):
                 raise Unsupported(f"LAMMPS has fix deform {key.text}, pylmp's native engines do not", key.span)
             elif key.text == "remap":
+                args.need(1, key.text)
                 value = args.word()
                 if value.text == "v":
                     raise Unsupported("LAMMPS has fix deform remap v, pylmp's native engines do not", value.span)
@@ -54,12 +55,13 @@ class Deform(Fix):
                     args.fail(f"Illegal fix deform remap command: {value.text}", value, hint="x or none")
                 self.remap = value.text == "x"
             elif key.text == "units":
+                args.need(1, key.text)
                 value = args.word()
                 if value.text not in ("box", "lattice"):
-                    args.illegal(value, hint="units box or lattice")
+                    args.fail(f"Illegal fix deform units command: {value.text}", value, hint="box or lattice")
                 lattice = value.text == "lattice"
             else:
-                args.fail(f"Illegal fix deform command argument: {key.text}", key, hint="x y z remap units")
+                args.fail(f"Unknown fix deform keyword: {key.text}", key, hint="x y z remap units")
         for axis, direction in self.directions.items():
             if any(letter in "sm" for letter in sim.box.boundary[axis]):
                 args.fail("Cannot use fix deform on a shrink-wrapped boundary", args.owner)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
 
@@ -19,8 +20,12 @@ class Enforce2d(Fix):
         super().__init__(sim, identity, group, bit, args)
         if len(args):
             args.illegal(args.peek())
+
+    def init(self, sim: Simulation) -> None:
         if sim.dimension == 3:
-            args.fail("Cannot use fix enforce2d with 3d simulation", args.owner, hint="dimension 2")
+            raise ScriptError(
+                "Cannot use fix enforce2d with 3d simulation", hint="dimension 2", manual="fix_enforce2d.html"
+            )
 
     def post_force(self, sim: Simulation) -> None:
         rows = self.members(sim)

@@ -37,7 +37,9 @@ class Langevin(Fix):
             args.illegal(args.owner, hint="fix ID GROUP langevin Tstart Tstop damp seed")
         first = args.peek()
         if first is not None and first.text.startswith("v_"):
-            raise Unsupported("LAMMPS has variable temperatures in fix langevin, pylmp's native engines do not", first.span)
+            raise Unsupported(
+                "LAMMPS has variable temperatures in fix langevin, pylmp's native engines do not", first.span
+            )
         self.start, self.stop, self.damp = args.number(), args.number(), args.number()
         if self.damp <= 0.0:
             args.fail("Fix langevin period must be > 0.0", hint="damp is a time")

@@ -38,6 +38,7 @@ class Move(Fix):
         scale = sim.spacing
         while len(args):
             key = args.word()
+            args.need(1, key.text)
             value = args.word()
             if key.text != "units" or value.text not in ("box", "lattice"):
                 args.fail(
