@@ -77,10 +77,12 @@ class Scope:
         simple = {"id": atoms.tag, "mol": atoms.molecule, "type": atoms.type}
         vector = len(name) in (1, 2) and name[-1] in "xyz" and (name[:-1] or "x") in _VECTORS
         if name not in simple and name != "mass" and not vector:
-            raise FormulaError(f"Invalid atom property {name} in variable formula")
+            raise FormulaError(f"Invalid atom vector {name} in variable formula")
+        if tag > atoms.tag[: atoms.n].max(initial=0):
+            raise FormulaError("Variable atom ID is too large")
         rows = (atoms.tag[: atoms.n] == tag).nonzero()[0]
         if not len(rows):
-            raise FormulaError(f"Variable atom ID {tag} does not exist")
+            return 0.0  # an atom that was lost or deleted
         row = int(rows[0])
         if name == "mass":
             return float(sim.masses()[row])

@@ -18,7 +18,7 @@ from pylmp.text.functions import FUNCTIONS, FormulaError, compare, power
 from pylmp.text.grammar import parser
 
 VERSION = 20250722.0
-_BY_NAME = frozenset(("is_defined", "is_file", "count"))  # their arguments are names, not values
+_BY_NAME = frozenset(("is_defined", "count"))  # their arguments are names, not values
 _ELSEWHERE = frozenset(
     {
         "logfreq2", "logfreq3", "stride2", "mass", "charge", "xcm", "vcm", "fcm", "bound", "gyration", "ke", "angmom", "torque",
@@ -51,12 +51,16 @@ class Scope(Protocol):
 
 
 class Step(NamedTuple):
-    """One step of a formula's program: takes some values from the stack and puts one there."""
+    """One step of a formula's program: takes some values from the stack and puts one there.
+
+    The kinds "else" (goes to another step if the value it takes is 0), "goto" and "mark" put nothing.
+    """
 
     kind: str
     text: str
-    takes: int
+    takes: int = 0
     names: tuple[str, ...] = ()
+    target: int = 0
 
 
 @lru_cache(2000)
@@ -67,28 +71,49 @@ def program(text: str) -> tuple[Step, ...]:
     except UnexpectedInput:
         raise FormulaError("Invalid syntax in variable formula") from None
     steps: list[Step] = []
-    waiting: list[Tree[Token]] = [tree]
+    waiting: list[Tree[Token] | Step] = [tree]
     while waiting:
         node = waiting.pop()
-        head = next((child for child in node.children if isinstance(child, Token)), None)
-        parts = [child for child in node.children if isinstance(child, Tree)]
-        if node.data == "call" and (head in _BY_NAME or head in _ELSEWHERE):
-            names = tuple(str(t) for part in parts for t in part.scan_values(lambda v: isinstance(v, Token)))
-            steps.append(Step("names", str(head), 0, names))
-            continue
-        steps.append(Step(str(node.data), str(head), len(parts)))
-        waiting.extend(parts)
-    return tuple(reversed(steps))
+        if isinstance(node, Step):
+            steps.append(node)
+        else:
+            waiting.extend(reversed(_parts(node)))
+    marks = {step.text: at for at, step in enumerate(steps) if step.kind == "mark"}
+    return tuple(step._replace(target=marks[step.text]) if step.kind in ("else", "goto") else step for step in steps)
+
+
+def _parts(node: Tree[Token]) -> list[Tree[Token] | Step]:
+    """What a node of the tree becomes: the steps of its parts, then its own."""
+    head, *more = (str(child) for child in node.children if isinstance(child, Token))
+    parts = [child for child in node.children if isinstance(child, Tree)]
+    if node.data == "file":
+        return [Step("names", head, 0, tuple(more))]
+    if node.data == "call" and (head in _BY_NAME or head in _ELSEWHERE):
+        names = tuple(str(t) for part in parts for t in part.scan_values(lambda v: isinstance(v, Token)))
+        return [Step("names", head, 0, names)]
+    if node.data == "call" and head == "ternary" and len(parts) == 3:  # only the chosen side is evaluated
+        other, end = f"else {id(node)}", f"end {id(node)}"
+        return [
+            parts[0], Step("else", other, 1), parts[1], Step("goto", end), Step("mark", other), parts[2], Step("mark", end),
+        ]  # fmt: skip
+    return [*parts, Step(str(node.data), head, len(parts))]
 
 
 def evaluate(text: str, scope: Scope) -> float:
     """The value of a formula. Raises FormulaError, or ScriptError from scope."""
+    steps = program(text)
     stack: list[float] = []
-    for step in program(text):
-        at = len(stack) - step.takes
-        values = stack[at:]
-        del stack[at:]
-        stack.append(_carry_out(step, values, scope))
+    at = 0
+    while at < len(steps):
+        step = steps[at]
+        at += 1
+        if step.kind == "goto" or (step.kind == "else" and stack.pop() == 0.0):
+            at = step.target
+        elif step.kind not in ("mark", "else"):
+            first = len(stack) - step.takes
+            values = stack[first:]
+            del stack[first:]
+            stack.append(_carry_out(step, values, scope))
     return stack[0] + 0.0  # a result of -0 is 0
 
 
@@ -102,7 +127,7 @@ def _carry_out(step: Step, values: list[float], scope: Scope) -> float:
         return -values[0] if text == "-" else float(values[0] == 0.0)
     if kind == "reference":
         look = {"v": scope.variable, "c": scope.compute, "f": scope.fix}[text[0]]
-        return look(text[2:], [int(v) for v in values])
+        return look(text[2:], _indices(values))
     if kind == "call":
         return _call(text, values, scope)
     if kind == "names":
@@ -110,8 +135,14 @@ def _carry_out(step: Step, values: list[float], scope: Scope) -> float:
             raise Unsupported(f"LAMMPS has {text}() in formulas, pylmp's native engines do not", manual="variable.html")
         return scope.named(text, step.names)
     if values:
-        return scope.atom(text, int(values[0]))
+        return scope.atom(text, _indices(values)[0])
     return {"PI": math.pi, "version": VERSION}[text] if text in ("PI", "version") else scope.keyword(text)
+
+
+def _indices(values: list[float]) -> list[int]:
+    if not all(1.0 <= value <= 2.0**62 for value in values):
+        raise FormulaError("Index between variable brackets must be positive")
+    return [int(value) for value in values]
 
 
 def number(text: str) -> float:

@@ -159,7 +159,7 @@ FUNCTIONS: dict[str, tuple[int, Callable[..., Any], bool]] = {
     "asin": (1, _arc(math.asin, "Arcsin"), False), "acos": (1, _arc(math.acos, "Arccos"), False),
     "atan": (1, math.atan, False), "atan2": (2, math.atan2, False),
     "ceil": (1, _whole(math.ceil), False), "floor": (1, _whole(math.floor), False), "round": (1, _round, False),
-    "ternary": (3, lambda c, a, b: a if c != 0.0 else b, False),
+    "ternary": (3, lambda c, a, b: a if c != 0.0 else b, False),  # its number of arguments; else see formula.py
     "ramp": (2, _ramp, True), "stagger": (2, _stagger, True), "logfreq": (3, _logfreq, True), "stride": (3, _stride, True),
     "vdisplace": (2, _vdisplace, True), "swiggle": (3, _swiggle, True), "cwiggle": (3, _cwiggle, True),
 }  # fmt: skip

@@ -139,6 +139,8 @@ def split(line: Text) -> list[Word]:
         else:
             if text[at] in _QUOTES:
                 quote = '"""' if text.startswith('"""', at) else text[at]
-                raise ScriptError(f"Unmatched {_QUOTES[quote]} quote in command", line.span(at, at + 1))
+                raise ScriptError(
+                    "Unbalanced quotes in input line", line.span(at, at + 1), hint=f"a second {quote} ends the text"
+                )
             words.append(Word(found[4], line.span(at, stop)))
         at = stop

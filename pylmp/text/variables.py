@@ -102,7 +102,9 @@ class Variables:
     def set_index(self, name: str, values: list[str]) -> None:
         """-var on the command line. Raises ScriptError."""
         if not _NAME.fullmatch(name):
-            raise ScriptError(f"Variable name '{name}' must have only letters, numbers, or underscores", manual="Run_options.html")
+            raise ScriptError(
+                f"Variable name '{name}' must have only letters, numbers, or underscores", manual="Run_options.html"
+            )
         self.known.setdefault(name, Variable("index", values))
 
     @staticmethod
