@@ -34,12 +34,13 @@ def run(sim: Simulation, args: Args) -> None:
         return
     args.need(1)
     request = _read(sim, args)
-    begin = sim.step if request.start is None else request.start
-    end = sim.step + request.steps if request.stop is None else request.stop
     left, first = request.steps, True
     while first or left > 0:
         steps = min(request.every, left) if request.every else left
         left -= steps
+        # Without start and stop, each part of run ... every is a ramp of its own.
+        begin = sim.step if request.start is None else request.start
+        end = sim.step + steps if request.stop is None else request.stop
         setup = request.pre or (first and not sim.ran)
         _segment(sim, RunPlan(steps, begin, end, setup), post=request.post or (request.every > 0 and left == 0))
         if sim.report.interrupted:

@@ -63,6 +63,7 @@ class Deform(Fix):
             else:
                 args.fail(f"Unknown fix deform keyword: {key.text}", key, hint="x y z remap units")
         for axis, direction in self.directions.items():
+            direction.start = float(sim.box.lo[axis]), float(sim.box.hi[axis])
             if any(letter in "sm" for letter in sim.box.boundary[axis]):
                 args.fail("Cannot use fix deform on a shrink-wrapped boundary", args.owner)
             if lattice and direction.style in ("final", "delta", "vel"):
@@ -84,8 +85,9 @@ class Deform(Fix):
             raise ScriptError("More than one fix deform", hint="one fix deform takes several directions")
         time = (sim.end - sim.begin) * sim.dt
         for axis, direction in self.directions.items():
-            lo, hi = float(sim.box.lo[axis]), float(sim.box.hi[axis])
-            direction.start = lo, hi
+            if sim.step == sim.begin:  # else an earlier part of the same ramp, from where the box was when the fix was defined
+                direction.start = float(sim.box.lo[axis]), float(sim.box.hi[axis])
+            lo, hi = direction.start
             value = direction.values[0]
             if direction.style == "final":
                 direction.stop = value, direction.values[1]
