@@ -126,7 +126,11 @@ class DataFile:
         return result
 
     def sections(self) -> Iterator[tuple[str, str, int]]:
-        """(name, word after #, line) of each section; self.at is then its first line of data."""
+        """(name, word after #, line) of each section; self.at is then its first line of data.
+
+        The word after # of the first section is not looked at: LAMMPS loses it.
+        """
+        first = True
         while True:
             while self.at < len(self.lines) and not self.lines[self.at].split("#")[0].strip():
                 self.at += 1
@@ -136,7 +140,8 @@ class DataFile:
             name = self._check_section(line)
             style = self.lines[line].partition("#")[2].split()
             self.at += 2  # the line after a section's name is skipped, whatever it holds
-            yield name, style[0] if style else "", line
+            yield name, style[0] if style and not first else "", line
+            first = False
 
     def _check_section(self, line: int) -> str:
         name = " ".join(self.lines[line].split("#")[0].split())

@@ -163,6 +163,7 @@ class Reader:
     def _section(self, name: str, style: str, line: int) -> None:
         sim, file, count = self.sim, self.file, self.header.count
         if name == "Atoms":
+            self._warn_style("Atom", style, sim.atom_style)
             self._atoms(line)
         elif name == "Velocities":
             self._after_atoms(name, line)
@@ -306,16 +307,17 @@ class Reader:
             sim.mass[kind] = mass
 
     def _pair_coeffs(self, name: str, style: str, line: int) -> None:
+        """nocoeff: lines are looked at, but nothing is set; LAMMPS swaps in style zero meanwhile, and says so."""
         sim, types = self.sim, self.header.count("atom types")
         both = name == "PairIJ Coeffs"
-        lines = self.file.take(types * (types + 1) // 2 if both else types, f"{name} for {types} atom types")
-        if not self.options.coeffs:
-            return
-        if sim.pair is None:
+        if self.options.coeffs and sim.pair is None:
             self.file.fail(f"Must define pair_style before {name}", line, hint="pair_style before read_data")
-        self._warn_style("Pair", style, sim.pair.style.name)
+        self._warn_style("Pair", style, sim.pair.style.name if self.options.coeffs else "zero")
+        lines = self.file.take(types * (types + 1) // 2 if both else types, f"{name} for {types} atom types")
         for words in self._coefficient_lines(lines, name):
             kinds = [self._whole(word) for word in words[: 2 if both else 1]]
+            if not self.options.coeffs:
+                continue
             if kinds != sorted(kinds):
                 raise ScriptError(
                     "Incorrect args for pair coefficients", words[1].span, hint="the smaller type comes first"
@@ -324,15 +326,14 @@ class Reader:
 
     def _bond_coeffs(self, style: str, line: int) -> None:
         sim, types = self.sim, self.header.count("bond types")
-        lines = self.file.take(types, f"Bond Coeffs for {types} bond types")
-        if not self.options.coeffs:
-            return
-        if sim.bond is None:
+        if self.options.coeffs and sim.bond is None:
             self.file.fail("Must define bond_style before Bond Coeffs", line, hint="bond_style before read_data")
-        self._warn_style("Bond", style, sim.bond.name)
+        self._warn_style("Bond", style, sim.bond.name if self.options.coeffs else "zero")
+        lines = self.file.take(types, f"Bond Coeffs for {types} bond types")
         for words in self._coefficient_lines(lines, "Bond Coeffs"):
             self._whole(words[0])
-            sim.bond.coeff(self._args("bond_coeff", words))
+            if self.options.coeffs:
+                sim.bond.coeff(self._args("bond_coeff", words))
 
     def _coefficient_lines(self, lines: range, name: str) -> list[list[Word]]:
         result = []
@@ -353,10 +354,10 @@ class Reader:
 
     def _warn_style(self, kind: str, said: str, current: str) -> None:
         longer = said.removeprefix(current)
-        if said and not current.startswith(said) and not (said.startswith(current) and longer in _SUFFIXES):
-            self.sim.console.warning(
-                f"{kind} style {said} in data file differs from currently defined {kind.lower()} style {current}"
-            )
+        if current.startswith(said) or (longer != said and longer in _SUFFIXES):
+            return
+        where = f"in data file {said}" if kind == "Atom" else f"{said} in data file"
+        self.sim.console.warning(f"{kind} style {where} differs from currently defined {kind.lower()} style {current}")
 
 
 def _ten_bits(image: Ints) -> Ints:

@@ -6,8 +6,7 @@ coefficient (%.16g, %g) so that it would not read back as the same number, 17 di
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -26,8 +25,8 @@ def data_text(sim: Simulation, coeffs: bool = True, pairs: bool = False) -> str:
     parts = [_header(sim, len(bonds)), _section("Masses", _masses(sim))]
     if coeffs and sim.pair is not None:
         parts.append(_pair_coeffs(sim, pairs))
-    if coeffs and sim.bond is not None and sim.bond.name != "hybrid" and sim.bond.parts[0].style.writes:
-        parts.append(_section(f"Bond Coeffs # {sim.bond.name}", _bond_coeffs(sim)))
+    if coeffs and sim.bond is not None and (rows := sim.bond.write_coeffs()):
+        parts.append(_section(f"Bond Coeffs # {sim.bond.name}", (_coefficients((kind,), row) for kind, row in rows)))
     if sim.natoms:
         parts.append(_section(f"Atoms # {sim.atom_style}", _atoms(sim)))
         parts.append(_section("Velocities", _velocities(sim)))
@@ -67,15 +66,12 @@ def _masses(sim: Simulation) -> Iterator[str]:
 
 
 def _pair_coeffs(sim: Simulation, pairs: bool) -> str:
-    style, known = sim.pair.style, sim.pair.all
-    types = range(1, sim.atom_types + 1)
-    wanted: list[Any] = [(i, j) for i in types for j in types if i == j or (pairs and i < j)]
-    rows = []
-    for i, j in wanted:
-        values = style.write(*known[i, j], pairs)
-        names = [str(i), str(j)] if pairs else [str(i)]
-        rows.append(" ".join([*names, *(rounded(float(value), "g") for value in values)]))
-    return _section(f"{'PairIJ' if pairs else 'Pair'} Coeffs # {style.name}", rows)
+    rows = (_coefficients(types, row) for types, row in sim.pair.write_coeffs(pairs))
+    return _section(f"{'PairIJ' if pairs else 'Pair'} Coeffs # {sim.pair.style.name}", rows)
+
+
+def _coefficients(types: tuple[int, ...], values: Sequence[float]) -> str:
+    return " ".join([*map(str, types), *(rounded(float(value), "g") for value in values)])
 
 
 def warn_unmixed(sim: Simulation) -> None:
@@ -83,13 +79,6 @@ def warn_unmixed(sim: Simulation) -> None:
     unlike = [(i, j) for i, j in sim.pair.given if i != j] if sim.pair is not None else []
     if unlike:
         sim.console.warning(_UNMIXED)
-
-
-def _bond_coeffs(sim: Simulation) -> Iterator[str]:
-    part = sim.bond.parts[0]
-    for kind in range(1, sim.bond_types + 1):
-        values = (rounded(value, "g") for value in part.table[kind].tolist())
-        yield " ".join([str(kind), *values])
 
 
 def _atoms(sim: Simulation) -> Iterator[str]:

@@ -39,6 +39,5 @@ PAIRS.add(
     PairStyle(
         name="zero", manual="pair_zero.html", coeffs=(), law=None, settings=settings, read=read,
         row=lambda coeffs, cut, shift: (), mix=mix,
-        write=lambda coeffs, cut, whole: [],
     ),
 )  # fmt: skip
