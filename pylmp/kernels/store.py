@@ -16,7 +16,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from pylmp.kernels import disk
-from pylmp.kernels.compile import arguments, compile_object
+from pylmp.kernels.compile import arguments
 from pylmp.kernels.key import key
 from pylmp.kernels.load import place
 from pylmp.kernels.workers import compile_all
@@ -68,7 +68,7 @@ def kernel(function: types.FunctionType) -> Kernel:
     """The kernel of a function: from this process, from the store, or compiled now and stored."""
     found = _made.get(function) or _found(function, key(function))
     if found is None:
-        found = _new(function, key(function), compile_object(function))
+        found = _new(function, key(function), *compile_all([function]))
     return found
 
 

@@ -1,4 +1,7 @@
-"""Several kernels compiled at once, each in a forked child that hands back machine code through a pipe."""
+"""Kernels compiled in forked children, which hand back machine code through a pipe.
+
+Several are compiled at once, and this process never loads the compiler, so that it may fork again later.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ def compile_all(functions: Sequence[types.FunctionType]) -> list[bytes]:
     """Machine code of each function. Raises what the compiler raises."""
     codes: list[bytes | None] = [None] * len(functions)
     workers = min(len(functions), os.cpu_count() or 1)
-    if workers > 1 and _may_fork():
+    if _may_fork():
         for child, pipe in _children(functions, workers):
             _collect(pipe, codes)
             os.waitpid(child, 0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -35,7 +36,7 @@ def loaded(arguments: list[str], folder: Path, **environment: str) -> tuple[str,
     done = subprocess.run(
         [sys.executable, "-c", code],
         cwd=folder,
-        env={"PATH": "", **environment},
+        env={**os.environ, **environment},
         capture_output=True,
         text=True,
         check=False,
