@@ -27,6 +27,7 @@ class Scope:
         self._stream: RanMars | None = None
 
     def variable(self, name: str, index: Sequence[int]) -> float:
+        _positive(index)
         if index and name in self._variables.known:
             raise ScriptError(
                 f"Variable {name}: Mismatched variable in variable formula", hint=f"v_{name} has one value"
@@ -60,6 +61,7 @@ class Scope:
         if method is None:
             raise FormulaError(f"Mismatched {what} in variable formula")
         value = method(self._sim)
+        _positive(index)
         for at in index:
             if not 1 <= at <= len(value):
                 raise FormulaError(f"Variable formula {what} {kind} is accessed out-of-range")
@@ -73,6 +75,7 @@ class Scope:
     def atom(self, name: str, tag: int) -> float:
         """``x[5]``, ``mass[5]`` and the like: a property of the atom with that ID."""
         self._need_box()
+        _positive([tag])
         sim, atoms = self._sim, self._sim.atoms
         simple = {"id": atoms.tag, "mol": atoms.molecule, "type": atoms.type}
         vector = len(name) in (1, 2) and name[-1] in "xyz" and (name[:-1] or "x") in _VECTORS
@@ -126,3 +129,8 @@ class Scope:
     def clock(self) -> Clock:
         sim = self._sim
         return Clock(sim.step, sim.begin, sim.end if sim.output.running else sim.begin, sim.dt)
+
+
+def _positive(index: Sequence[int]) -> None:
+    if any(at <= 0 for at in index):
+        raise FormulaError("Index between variable brackets must be positive")

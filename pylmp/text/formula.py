@@ -127,7 +127,7 @@ def _carry_out(step: Step, values: list[float], scope: Scope) -> float:
         return -values[0] if text == "-" else float(values[0] == 0.0)
     if kind == "reference":
         look = {"v": scope.variable, "c": scope.compute, "f": scope.fix}[text[0]]
-        return look(text[2:], _indices(values))
+        return look(text[2:], [int(v) if math.isfinite(v) else 0 for v in values])
     if kind == "call":
         return _call(text, values, scope)
     if kind == "names":
@@ -135,14 +135,8 @@ def _carry_out(step: Step, values: list[float], scope: Scope) -> float:
             raise Unsupported(f"LAMMPS has {text}() in formulas, pylmp's native engines do not", manual="variable.html")
         return scope.named(text, step.names)
     if values:
-        return scope.atom(text, _indices(values)[0])
+        return scope.atom(text, int(values[0]) if math.isfinite(values[0]) else 0)
     return {"PI": math.pi, "version": VERSION}[text] if text in ("PI", "version") else scope.keyword(text)
-
-
-def _indices(values: list[float]) -> list[int]:
-    if not all(1.0 <= value <= 2.0**62 for value in values):
-        raise FormulaError("Index between variable brackets must be positive")
-    return [int(value) for value in values]
 
 
 def number(text: str) -> float:
