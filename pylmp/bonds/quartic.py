@@ -67,7 +67,7 @@ def single(r2: Any, c: Any, pair_energy: Any) -> Any:
 
 
 def no_single(sim: Any, _: Any) -> bool:
-    return sim.pair is None or not sim.pair.style.single
+    return sim.pair is None
 
 
 RESTRICTIONS = (

@@ -11,7 +11,7 @@ from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.exact.bond import bond_loop
 from pylmp.kernels.exact.pair import pair_loop
 from pylmp.kernels.store import kernel, prepare
-from pylmp.model.bondlist import BondList, Breaks, misplace
+from pylmp.model.bondlist import BondList, Breaks
 from pylmp.model.neighbor import NeighborList
 
 if TYPE_CHECKING:
@@ -73,8 +73,8 @@ class ForceField:
         subtract = style.subtract_pair and sim.pair.law is not None
         return bond_loop(
             part.law, part.table.shape[1], part.memory,
-            sim.pair.law if subtract else None, sim.pair.width if subtract else 0,
-            newton=sim.newton_bond, velocity=style.velocity, lower_id_first=style.lower_id_first,
+            sim.pair.alone if subtract else None, sim.pair.width if subtract else 0,
+            newton=sim.newton_bond, velocity=style.velocity or (subtract and sim.pair.velocity), lower_id_first=style.lower_id_first,
             reference=style.reference, can_break=part.can_break, one_type=sim.bond_types == 1, tally=tally,
         )  # fmt: skip
 
@@ -91,20 +91,21 @@ class ForceField:
                 listed.store_reference(sim)
             listed.build(sim, self.ghosts, sim.lost_bonds_tolerated)
             if first and len(self.bonds) > 1:
-                misplace(sim, listed, self.ghosts)
+                listed.misplace(sim, self.ghosts)
         self._held = atoms.x[: atoms.n].copy()
         self._held_box = np.array([sim.box.lo, sim.box.hi])
         self._bind(sim)
 
     def _bind(self, sim: Simulation) -> None:
         atoms = sim.atoms
-        if self.neighbors is not None and self._pair[False] is not None:
+        if self.neighbors is not None:
             self._pair_calls = {
                 tally: kernel(function).bind(
                     atoms.x, atoms.v, atoms.f, atoms.type, self.neighbors.first, self.neighbors.neighbors,
                     sim.pair.table, len(sim.pair.table), self._weights, self._pair_virial, atoms.n, atoms.total,
                 )
                 for tally, function in self._pair.items()
+                if function is not None
             }  # fmt: skip
         nothing = np.zeros((0, 0, 0))
         table = sim.pair.table if sim.pair else nothing

@@ -117,6 +117,12 @@ class Bond:
 
     def reach(self) -> float:
         """LAMMPS's estimate of the longest bond, before the skin: 1.5 times the equilibrium length."""
+        if any(not sum(int(part.mine[kind]) for part in self.parts) for kind in self.given):
+            raise ScriptError(
+                "Invoked bond equil distance on bond style none",
+                hint="every bond type needs a style",
+                manual="bond_hybrid.html",
+            )
         longest = 0.0
         for part in self.parts:
             if part.style.reference:

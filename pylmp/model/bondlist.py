@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.kernels.exact import INDEX_MASK
 from pylmp.kernels.exact import bond as loops
@@ -20,41 +20,43 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 
-class BondList:
-    """bonds (capacity, 3) int64: rows of the two ends and the type (0: broken); history (capacity, memory)."""
+class Listing:
+    """The bonds of some types, by rows: bonds (capacity, 3) int64, the two ends and the type (0: broken); history (capacity, memory).
 
-    def __init__(self, sim: Simulation, part: BondPart | _Everything) -> None:
-        self.part = part
+    mine (bond types + 1,) uint8: types listed here.
+    """
+
+    def __init__(self, sim: Simulation, mine: NDArray[np.uint8]) -> None:
+        self.mine = mine
+        self.memory = sim.bond.memory
         self.count = 0
-        self.misplaced: BondList | None = None
         self.bonds = np.zeros((64, 3), np.int64)
-        self.history = np.zeros((64, sim.bond.memory))
-        self.broken = np.zeros(64, np.int64)
-        self._list = loops.bond_list(sim.newton_bond, sim.bond.memory)
-        self._back = loops.copy_back(sim.bond.memory)
+        self.history = np.zeros((64, self.memory))
+        self._list = loops.bond_list(sim.newton_bond, self.memory)
+        self._back = loops.copy_back(self.memory)
 
     def functions(self) -> list[Function]:
-        return [self._list, self._back] if self.part.memory else [self._list]
+        return [self._list, self._back] if self.memory else [self._list]
 
     def build(self, sim: Simulation, ghosts: Ghosts, tolerant: bool = False) -> None:
-        """List the bonds; ghosts are there. Raises ScriptError when a partner is nowhere."""
-        self.misplaced = None
+        """List the bonds; ghosts are there. Raises ScriptError when a partner is nowhere, unless tolerant."""
         atoms = sim.atoms
         while True:
             count = kernel(self._list).bind(
                 atoms.x, atoms.tag, ghosts.first, ghosts.same, atoms.num_bond, atoms.bond_type, atoms.bond_atom,
-                atoms.bond_history, atoms.bond_per_atom, self.part.mine, len(ghosts.first), self.bonds, self.history,
+                atoms.bond_history, atoms.bond_per_atom, self.mine, len(ghosts.first), self.bonds, self.history,
                 atoms.n, len(self.bonds), int(tolerant),
             )()  # fmt: skip
             if count >= 0.0:
                 break
             if count <= loops.LOST:
                 self._complain(sim, int(loops.LOST - count), ghosts)
-            rows = 2 * len(self.bonds)
-            self.bonds = np.zeros((rows, 3), np.int64)
-            self.history = np.zeros((rows, self.history.shape[1]))
-            self.broken = np.zeros(rows, np.int64)
+            self._grow(2 * len(self.bonds))
         self.count = int(count)
+
+    def _grow(self, rows: int) -> None:
+        self.bonds = np.zeros((rows, 3), np.int64)
+        self.history = np.zeros((rows, self.memory))
 
     def _complain(self, sim: Simulation, row: int, ghosts: Ghosts) -> None:
         atoms = sim.atoms
@@ -68,23 +70,46 @@ class BondList:
 
     def copy_back(self, sim: Simulation) -> None:
         """What bonds remember, from the list to the slots of their owned ends."""
-        if self.misplaced is not None:
-            self.misplaced.history[:] = 0.0
-            self.misplaced.history[: self.count] = self.history[: self.count]
-            self.misplaced.copy_back(sim)
-            self.misplaced = None
-            return
         atoms = sim.atoms
-        if self.part.memory and self.count:
+        if self.memory and self.count:
             kernel(self._back).bind(
                 atoms.tag, atoms.num_bond, atoms.bond_atom, atoms.bond_history, atoms.bond_per_atom, self.bonds,
                 self.history, self.count, atoms.n,
             )()  # fmt: skip
 
+
+class BondList(Listing):
+    """The bonds that one style evaluates. broken (capacity,) int64: room for the entries that break in one step."""
+
+    def __init__(self, sim: Simulation, part: BondPart) -> None:
+        super().__init__(sim, part.mine)
+        self.part = part
+        self.broken = np.zeros(len(self.bonds), np.int64)
+        self.misplaced: Listing | None = None
+
+    def build(self, sim: Simulation, ghosts: Ghosts, tolerant: bool = False) -> None:
+        self.misplaced = None
+        super().build(sim, ghosts, tolerant)
+
+    def _grow(self, rows: int) -> None:
+        super()._grow(rows)
+        self.broken = np.zeros(rows, np.int64)
+
+    def copy_back(self, sim: Simulation) -> None:
+        if not self.part.memory:
+            return
+        if self.misplaced is None:
+            super().copy_back(sim)
+            return
+        self.misplaced.history[:] = 0.0
+        self.misplaced.history[: self.count] = self.history[: self.count]
+        self.misplaced.copy_back(sim)
+        self.misplaced = None
+
     def store_reference(self, sim: Simulation) -> None:
         """At the first evaluation ever: r0 of every slot is its length by minimum image, everything else 0."""
         self.part.stored = True
-        mine = self.part.mine.astype(bool)
+        mine = self.mine.astype(bool)
         rows, slots, partners = bond_pairs(sim, lambda kinds: (kinds > 0) & mine[np.maximum(kinds, 0)])
         keep = partners >= 0
         rows, slots, partners = rows[keep], slots[keep], partners[keep]
@@ -93,23 +118,13 @@ class BondList:
         sim.atoms.bond_history[rows, slots] = 0.0
         sim.atoms.bond_history[rows, slots, 0] = np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2])
 
-
-@dataclass(frozen=True)
-class _Everything:
-    """Stands for a style that owns every bond type."""
-
-    mine: np.ndarray[tuple[int], np.dtype[np.uint8]]
-    memory: int
-
-
-def misplace(sim: Simulation, listed: BondList, ghosts: Ghosts) -> None:
-    """Under hybrid, LAMMPS keeps what it stores at the first evaluation in the order of the style's own list, and takes it back at
-    the next rebuild as if it were in the order of all bonds: entry n of all bonds gets what entry n of the style's list remembers,
-    and entries beyond get 0, so that their r0 is taken anew. Later rebuilds are right. Measured on LAMMPS 22 Jul 2025."""
-    types = np.ones(sim.bond_types + 1, np.uint8)
-    whole = BondList(sim, _Everything(types, sim.bond.memory))
-    whole.build(sim, ghosts)
-    listed.misplaced = whole
+    def misplace(self, sim: Simulation, ghosts: Ghosts) -> None:
+        """Under hybrid, LAMMPS keeps what it stores at the first evaluation in the order of the style's own list, and takes it back
+        at the next rebuild as if it were in the order of all bonds: entry n of all bonds gets what entry n of the style's list
+        remembers, and entries beyond get 0, so that their r0 is taken anew. Later rebuilds are right. Measured on LAMMPS 22 Jul 2025.
+        """
+        self.misplaced = Listing(sim, np.ones(sim.bond_types + 1, np.uint8))
+        self.misplaced.build(sim, ghosts)
 
 
 class Breaks:

@@ -56,6 +56,7 @@ class Pair:
         self.cut = np.zeros((types + 1, types + 1))
         self.table = np.zeros((types + 1, types + 1, 0))
         self.law = style.law(options) if style.law else None
+        self.alone = style.alone(options) if style.alone else self.law
         self.velocity = style.velocity
 
     @property
@@ -127,8 +128,8 @@ class Pair:
     def write_coeffs(self, whole: bool) -> list[tuple[tuple[int, ...], list[float]]]:
         """Lines of a data file: (I,) and numbers (Pair Coeffs), or whole: (I, J) and numbers (PairIJ Coeffs)."""
         if whole:
-            return [(pair, self.style.write(*self.all[pair], True)) for pair in self._pairs()]
-        return [((i,), self.style.write(*self.given[i, i], False)) for i in range(1, self.types + 1)]
+            return [(pair, self.style.write(*self.all[pair], True, self.options)) for pair in self._pairs()]
+        return [((i,), self.style.write(*self.given[i, i], False, self.options)) for i in range(1, self.types + 1)]
 
     def tails(self, sim: Simulation) -> tuple[float, float]:
         """Long-range corrections (energy, pressure) before division by V and V*V; zero unless pair_modify tail yes."""

@@ -116,7 +116,7 @@ class PairStyle:
     mix        (coefficients, cutoff of type i, of type j, mixing rule) -> those of the unlike pair; None: not defined
     row        (coefficients, cutoff, shift) -> the numbers the law receives
     tail       (coefficients, cutoff, atoms of type i, of type j) -> (energy, pressure) integrals, or None
-    single     LAMMPS can evaluate one pair alone (bond_style quartic needs that)
+    alone      options -> law of a pair that LAMMPS evaluates alone, for bond_style quartic; None: the same as law
     """
 
     name: str
@@ -130,7 +130,7 @@ class PairStyle:
     velocity: bool = False
     restrictions: tuple[Restriction, ...] = ()
     tail: Callable[[tuple[float, ...], float, float, float], tuple[float, float]] | None = None
-    single: bool = True
-    write: Callable[[tuple[float, ...], float, bool], list[float]] = field(
-        default=lambda coeffs, cut, whole: [*coeffs, cut] if whole else list(coeffs)
+    alone: Callable[[Options], Law] | None = None
+    write: Callable[[tuple[float, ...], float, bool, Options], list[float]] = field(
+        default=lambda coeffs, cut, whole, options: [*coeffs, cut] if whole else list(coeffs)
     )

@@ -40,6 +40,27 @@ def spring(options: Options) -> Law:
     return law
 
 
+def alone(options: Options) -> Law:
+    """As LAMMPS evaluates one pair alone: w = 1 - (r/rc)^4, and the force is not divided by r. Measured."""
+    anharmonic = bool(options["anharmonic"])
+    listed = spring(options)
+
+    def law(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
+        k, gamma, ka, cut, cut2 = c
+        r = sqrt(r2)
+        gap = cut - r
+        force = k * gap
+        if anharmonic:
+            force = force + ka * gap * gap * gap
+        s = r2 / cut2
+        s = s * s
+        force = (force - gamma * dot * (1.0 - s) / r) * factor
+        _, energy = listed(r2, dot, factor, c)
+        return select(r2 < cut2, force, 0.0), energy
+
+    return law
+
+
 def settings(sim: Any, args: Args) -> Options:
     options = {"anharmonic": False}
     while len(args):
@@ -71,8 +92,9 @@ def mix(a: Any, cut_a: float, b: Any, cut_b: float, rule: str) -> tuple[tuple[fl
     return (k, gamma, 0.0), mix_distance(cut_a, cut_b, rule)
 
 
-def write(coeffs: tuple[float, ...], cut: float, whole: bool) -> list[float]:
-    return [coeffs[0], cut, coeffs[1]]
+def write(coeffs: tuple[float, ...], cut: float, whole: bool, options: Options) -> list[float]:
+    k, gamma, ka = coeffs
+    return [k, cut, gamma, ka] if options["anharmonic"] else [k, cut, gamma]
 
 
 PAIRS.add(
@@ -82,7 +104,7 @@ PAIRS.add(
         coeffs=(
             Coeff("k", "force/distance"), Coeff("gamma", "force/velocity"), Coeff("ka", "force/distance^3"),
         ),
-        law=spring, settings=settings, read=read, row=row, mix=mix, velocity=True, write=write,
+        law=spring, alone=alone, settings=settings, read=read, row=row, mix=mix, velocity=True, write=write,
         restrictions=(
             Restriction(
                 "P101", "Pair bpm/spring requires ghost atoms store velocity", lambda sim, _: not sim.comm.velocity,

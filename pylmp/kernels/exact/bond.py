@@ -169,7 +169,7 @@ def bond_loop(
                 energy = add(energy, e, mine, yours)
                 add_virial(virial, force, dx, dy, dz, mine, yours)
             if subtract:
-                pair_force, pe = pair_law(r2, 0.0, 1.0, load_pair(pair_table, (type_[i] * types + type_[j]) * pair_width))
+                pair_force, pe = pair_law(r2, dot, 1.0, load_pair(pair_table, (type_[i] * types + type_[j]) * pair_width))
                 pair_force = -pair_force
                 if mine:
                     f[3 * i] += dx * pair_force
