@@ -11,7 +11,7 @@ import contextlib
 import os
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
@@ -34,7 +34,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if words[:1] == ["diff"]:
         from pylmp.tools.diff import main as diff
 
-        return diff(words[1:])
+        return _guarded(diff, words[1:])
     if words[:1] == ["run"]:
         words = words[1:]
     try:
@@ -49,6 +49,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("pylmp: error: -var takes a name and at least one value", file=sys.stderr)
         return USAGE
     return Session(options).run()
+
+
+def _guarded(tool: Callable[[list[str]], int], words: list[str]) -> int:
+    """A tool's exit code; a reader that left or an interrupt is no error of its own."""
+    try:
+        code = tool(words)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return WRONG
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return code
 
 
 def _parser() -> argparse.ArgumentParser:
