@@ -53,6 +53,11 @@ def arguments(function: types.FunctionType) -> list[str]:
 
 
 def _drop_unreached(llvm: Any, module: Any, machine: Any) -> None:
+    if not hasattr(llvm, "create_new_module_pass_manager"):  # llvmlite before 0.45
+        passes = llvm.create_module_pass_manager()
+        passes.add_global_dce_pass()
+        passes.run(module)
+        return
     passes = llvm.create_new_module_pass_manager()
     passes.add_global_dead_code_eliminate_pass()
     passes.run(module, llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(3)))
