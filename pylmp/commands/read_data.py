@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pylmp.io.data_read import Options, read_data, read_text
+from pylmp.io.data_read import Options, read_data
 from pylmp.model.groups import MAX_GROUPS
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
-from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args, Word
 
 _KINDS = "bond", "angle", "dihedral", "improper"
@@ -39,9 +39,9 @@ def read_data_command(sim: Simulation, args: Args) -> None:
         args.fail("Cannot run 2d simulation with nonperiodic Z dimension", args.owner, hint="boundary x y p")
     path = Path(name.text)
     try:
-        text = read_text(path)
-    except ScriptError as error:
-        args.fail(error.diagnostic.message, name)
+        text = path.read_bytes().decode("utf-8", "replace")
+    except OSError as error:
+        args.fail(f"Cannot open file {path}: {error.strerror}", name)
     if group:
         options.group = _group(sim, args, group)
     read_data(sim, path, text, options)

@@ -10,22 +10,23 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.commands.create_box import describe
+from pylmp.io.data_coeffs import Section, read_bond_coeffs, read_masses, read_pair_coeffs, warn_style
 from pylmp.io.data_file import DataFile, Header
 from pylmp.io.data_rows import read_atoms, read_bonds, read_velocities
-from pylmp.model.atoms import Atoms, Ints
+from pylmp.model.atoms import Atoms, Floats, Ints
 from pylmp.model.box import Box
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
-from pylmp.text.diagnostic import ScriptError, Unsupported
-from pylmp.text.words import Args, Word
+from pylmp.text.diagnostic import Unsupported
 
 _EDGE = 1.0e-6  # of the box length: how far outside a periodic face a wrapped atom may lie
 _FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out
 _LARGEST_ID = 20_000_000  # tables by ID are kept
 _ANGULAR = "angle", "dihedral", "improper"
-_SUFFIXES = "/omp", "/opt", "/gpu", "/kk", "/intel", "/coul/cut", "/coul/long", "/coul/msm", "/coul/dsf", "/coul/debye"
+Mask = NDArray[np.bool_]
 
 
 @dataclass
@@ -163,7 +164,7 @@ class Reader:
     def _section(self, name: str, style: str, line: int) -> None:
         sim, file, count = self.sim, self.file, self.header.count
         if name == "Atoms":
-            self._warn_style("Atom", style, sim.atom_style)
+            warn_style(sim, "Atom", style, sim.atom_style)
             self._atoms(line)
         elif name == "Velocities":
             self._after_atoms(name, line)
@@ -176,11 +177,11 @@ class Reader:
             self._after_atoms(name, line)
             self._scan_bonds()
         elif name == "Masses":
-            self._masses()
+            read_masses(sim, file, count("atom types"))
         elif name in ("Pair Coeffs", "PairIJ Coeffs"):
-            self._pair_coeffs(name, style, line)
+            read_pair_coeffs(self._coefficients(name, style, line), count("atom types"))
         elif name == "Bond Coeffs" and sim.has_bonds:
-            self._bond_coeffs(style, line)
+            read_bond_coeffs(self._coefficients(name, style, line), count("bond types"))
         elif name.endswith("Type Labels"):
             raise Unsupported("LAMMPS has type labels, pylmp's native engines do not", file.span(line))
         else:
@@ -189,6 +190,9 @@ class Reader:
                 line,
                 hint=f"not with atom_style {sim.atom_style} and these counts",
             )
+
+    def _coefficients(self, name: str, style: str, line: int) -> Section:
+        return Section(self.sim, self.file, name, style, line, self.options.coeffs)
 
     def _after_atoms(self, name: str, line: int) -> None:
         if not self.atoms_read:
@@ -240,7 +244,7 @@ class Reader:
             where = int(read.line[inside][max(0, twice - self.old)])
             file.fail("Duplicate atom IDs exist", where, hint=f"ID {int(sim.atoms.tag[twice])} is there twice")
 
-    def _place(self, x: np.ndarray, image: Ints, lines: Ints) -> np.ndarray:
+    def _place(self, x: Floats, image: Ints, lines: Ints) -> Mask:
         """Wrap x and image in place; (k,) bool: which atoms lie in the box then."""
         box = self.sim.box
         for d, periodic in enumerate(box.periodic):
@@ -253,7 +257,8 @@ class Reader:
                 )
         box.remap(x, image)
         edge = np.where(box.periodic, _EDGE * box.length, 0.0)
-        return ((x >= box.lo - edge) & (x < box.hi + edge)).all(axis=1)
+        inside: Mask = (x >= box.lo - edge) & (x < box.hi + edge)
+        return np.asarray(inside.all(axis=1))
 
     def _scan_bonds(self) -> None:
         sim, file, count = self.sim, self.file, self.header.count("bonds")
@@ -290,84 +295,7 @@ class Reader:
         sim.bonds += len(kinds)
         sim.console.both(f"  {len(kinds)} bonds\n")
 
-    # ---- masses and coefficients --------------------------------------------------------------------------------
-
-    def _masses(self) -> None:
-        sim, file = self.sim, self.file
-        types = self.header.count("atom types")
-        for line in file.take(types, f"one mass for each of {types} atom types"):
-            words, text = file.words(line), file.lines[line].strip()
-            if len(words) != 2:
-                file.fail(f"Invalid format in Masses section of data file: {text}", line, hint="type mass")
-            kind, mass = file.integer(words[0], line), file.number(words[1], line)
-            if not 1 <= kind <= sim.atom_types:
-                file.fail(f"Invalid atom type {kind} in Masses section of data file: {text}", line, words[0])
-            if mass <= 0.0:
-                file.fail(f"Invalid mass value {words[1]} in Masses section of data file: {text}", line, words[1])
-            sim.mass[kind] = mass
-
-    def _pair_coeffs(self, name: str, style: str, line: int) -> None:
-        """nocoeff: lines are looked at, but nothing is set; LAMMPS swaps in style zero meanwhile, and says so."""
-        sim, types = self.sim, self.header.count("atom types")
-        both = name == "PairIJ Coeffs"
-        if self.options.coeffs and sim.pair is None:
-            self.file.fail(f"Must define pair_style before {name}", line, hint="pair_style before read_data")
-        self._warn_style("Pair", style, sim.pair.style.name if self.options.coeffs else "zero")
-        lines = self.file.take(types * (types + 1) // 2 if both else types, f"{name} for {types} atom types")
-        for words in self._coefficient_lines(lines, name):
-            kinds = [self._whole(word) for word in words[: 2 if both else 1]]
-            if not self.options.coeffs:
-                continue
-            if kinds != sorted(kinds):
-                raise ScriptError(
-                    "Incorrect args for pair coefficients", words[1].span, hint="the smaller type comes first"
-                )
-            sim.pair.coeff(self._args("pair_coeff", words if both else [words[0], *words]))
-
-    def _bond_coeffs(self, style: str, line: int) -> None:
-        sim, types = self.sim, self.header.count("bond types")
-        if self.options.coeffs and sim.bond is None:
-            self.file.fail("Must define bond_style before Bond Coeffs", line, hint="bond_style before read_data")
-        self._warn_style("Bond", style, sim.bond.name if self.options.coeffs else "zero")
-        lines = self.file.take(types, f"Bond Coeffs for {types} bond types")
-        for words in self._coefficient_lines(lines, "Bond Coeffs"):
-            self._whole(words[0])
-            if self.options.coeffs:
-                sim.bond.coeff(self._args("bond_coeff", words))
-
-    def _coefficient_lines(self, lines: range, name: str) -> list[list[Word]]:
-        result = []
-        for line in lines:
-            words = self.file.spanned(line)
-            if not words:
-                section = name.replace(" ", "")
-                self.file.fail(f"Unexpected empty line in {section} section. Expected {len(lines)} lines.", line)
-            result.append(words)
-        return result
-
-    def _whole(self, word: Word) -> int:
-        assert word.span is not None
-        return self.file.integer(word.text, word.span.line - 1)
-
-    def _args(self, what: str, words: list[Word]) -> Args:
-        return Args(what, words, words[0], f"{what}.html")
-
-    def _warn_style(self, kind: str, said: str, current: str) -> None:
-        longer = said.removeprefix(current)
-        if current.startswith(said) or (longer != said and longer in _SUFFIXES):
-            return
-        where = f"in data file {said}" if kind == "Atom" else f"{said} in data file"
-        self.sim.console.warning(f"{kind} style {where} differs from currently defined {kind.lower()} style {current}")
-
 
 def _ten_bits(image: Ints) -> Ints:
     """Image flags as LAMMPS keeps them, -512 to 511."""
     return ((image + 512) & 1023) - 512
-
-
-def read_text(path: Path) -> str:
-    """The content of a data file; bytes that are no UTF-8 become replacement characters. Raises ScriptError."""
-    try:
-        return path.read_bytes().decode("utf-8", "replace")
-    except OSError as error:
-        raise ScriptError(f"Cannot open file {path}: {error.strerror}", manual="read_data.html") from error
