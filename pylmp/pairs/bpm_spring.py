@@ -54,7 +54,7 @@ def alone(options: Options) -> Law:
             force = force + ka * gap * gap * gap
         s = r2 / cut2
         s = s * s
-        force = (force - gamma * dot * (1.0 - s) / r) * factor
+        force = (force - gamma * dot * (1.0 / r) * (1.0 - s)) * factor
         _, energy = listed(r2, dot, factor, c)
         return select(r2 < cut2, force, 0.0), energy
 
