@@ -92,6 +92,6 @@ BONDS.add(
     "quartic/unbreakable",
     BondStyle(
         name="quartic/unbreakable", manual="bond_quartic.html", coeffs=COEFFS, law=lambda options: quartic(False),
-        length=lambda coeffs, options: LENGTH, omp=True,
+        length=lambda coeffs, options: LENGTH, mixable=None, omp=True,
     ),
 )  # fmt: skip

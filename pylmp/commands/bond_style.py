@@ -90,7 +90,7 @@ def _hybrid(sim: Simulation, args: Args) -> list[BondPart]:
         if any(part.style.name == other.style.name for other in parts):
             args.fail("Bond style hybrid cannot use same bond style twice", name)
         parts.append(part)
-    if len({part.style.mixable for part in parts}) > 1:
+    if len({part.style.mixable for part in parts} - {None}) > 1:
         args.fail(
             "Cannot hybridize bond styles with different topology settings", args.words[1],
             hint="bpm styles mix with each other and with quartic",

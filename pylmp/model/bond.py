@@ -75,11 +75,12 @@ class Bond:
         part: BondPart | None = self.parts[0]
         if self.name == "hybrid":
             word = args.word()
-            part = next((p for p in self.parts if p.style.name == word.text), None)
+            name = word.text.removesuffix("/omp")
+            part = next((p for p in self.parts if p.style.name == name), None)
             if part is None and word.text != "none":
                 hint = " ".join(p.style.name for p in self.parts) + " none"
                 args.fail(f"Expected hybrid sub-style instead of {word.text} in bond_coeff command", word, hint=hint)
-        values = _coefficients(args, part) if part else args.rest() and ()
+        values = _coefficients(args, part) if part else ()
         for other in self.parts:
             other.mine[kinds.start : kinds.stop] = 0
         self.given.update(kinds)
@@ -107,6 +108,9 @@ class Bond:
                 restriction.check(sim, part.options, part.style.manual)
             if part.style.reference and part.longest_reference == 0.0:
                 part.longest_reference = longest_bond(sim)
+        if any(all(part.mine[kind] == 0 for part in self.parts) for kind in self.given):
+            says, hint = "Invoked bond equil distance on bond style none", "every bond type needs a style"
+            raise ScriptError(says, hint=hint, manual="bond_hybrid.html")
 
     def write_coeffs(self) -> list[tuple[int, tuple[float, ...]]]:
         """(type, coefficients) of the Bond Coeffs section of a data file; empty where LAMMPS writes no such section."""
@@ -117,12 +121,6 @@ class Bond:
 
     def reach(self) -> float:
         """LAMMPS's estimate of the longest bond, before the skin: 1.5 times the equilibrium length."""
-        if any(not sum(int(part.mine[kind]) for part in self.parts) for kind in self.given):
-            raise ScriptError(
-                "Invoked bond equil distance on bond style none",
-                hint="every bond type needs a style",
-                manual="bond_hybrid.html",
-            )
         longest = 0.0
         for part in self.parts:
             if part.style.reference:

@@ -73,7 +73,7 @@ class BondStyle:
     single         (r2, c, pair energy) -> energy of one bond alone, where subtract_pair makes its order of operations matter
     updates_special     options -> broken pairs become ordinary neighbors
     length         (coefficients, options) -> length for LAMMPS's estimate of the communication cutoff
-    mixable        may stand beside other such styles in bond_style hybrid
+    mixable        stands in bond_style hybrid beside styles that say the same; None: beside any
     freeze         coefficients -> those with which evaluating one bond alone leaves its memory as it is
     writes         write_data prints its coefficients
     omp            the manual lists an /omp name: the same law
@@ -99,7 +99,7 @@ class BondStyle:
     freeze: Callable[[Any], Any] = lambda coeffs: coeffs
     updates_special: Callable[[Options], bool] = NEVER
     length: Callable[[tuple[float, ...], Options], float] = lambda coeffs, options: 0.0
-    mixable: bool = False
+    mixable: bool | None = False
     writes: bool = True
     omp: bool = False
     release: str = ""
