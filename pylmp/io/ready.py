@@ -22,11 +22,6 @@ def wrap_atoms(sim: Simulation) -> float:
     """
     atoms = sim.atoms
     cutoff = ghost_cutoff(sim, warn=True)
-    if cutoff == 0.0:
-        sim.console.warning(
-            "Communication cutoff is 0.0. No ghost atoms will be generated. "
-            "Energies and forces may be wrong and atoms may get lost."
-        )
     atoms.clear_ghosts()
     sim.box.wrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
     sim.box.shrink(atoms.x[: atoms.n])

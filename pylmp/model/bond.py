@@ -124,7 +124,7 @@ class Bond:
         longest = 0.0
         for part in self.parts:
             if part.style.reference:
-                length = part.stretch * part.longest_reference / 1.5 if part.can_break else part.longest_reference
+                length = part.longest_reference * (part.stretch / 1.5 if part.can_break else 1.0)
                 longest = max(longest, length)
             else:
                 for kind in np.flatnonzero(part.mine):

@@ -17,14 +17,19 @@ if TYPE_CHECKING:
 
 
 def bond_reach(sim: Simulation) -> float:
-    """LAMMPS's estimate of how far bonds reach; 0.0 without bonds."""
-    return sim.bond.reach() + sim.neighbor.skin if sim.bond and sim.bonds else 0.0
+    """LAMMPS's estimate of how far bonds reach, also of bonds to come; 0.0 without a bond style."""
+    return sim.bond.reach() + sim.neighbor.skin if sim.bond else 0.0
 
 
 def ghost_cutoff(sim: Simulation, warn: bool = False) -> float:
     """How far ghosts reach: the user's cutoff, the neighbor cutoff or, without a pair style, the bond estimate."""
     cutoff = max(sim.comm.cutoff, sim.neighbor_cutoff)
     bonds = bond_reach(sim)
+    if warn and cutoff == bonds == 0.0:
+        sim.console.warning(
+            "Communication cutoff is 0.0. No ghost atoms will be generated. "
+            "Energies and forces may be wrong and atoms may get lost."
+        )
     if cutoff == 0.0:
         return bonds
     if warn and bonds > cutoff:
