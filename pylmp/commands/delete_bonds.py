@@ -7,7 +7,7 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.io.ready import initialise, wrap_atoms
+from pylmp.io.ready import initialise, renew_ghosts, wrap_atoms
 from pylmp.model.bond import bond_pairs
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
@@ -45,7 +45,9 @@ def delete_bonds(sim: Simulation, args: Args) -> None:
         if word.text not in _KEYWORDS:
             args.illegal(word, hint=" ".join(_KEYWORDS))
     options = {word.text for word in words}
-    wrap_atoms(sim)
+    cutoff = wrap_atoms(sim)
+    if any(listed.memory for listed in sim.bond_lists):
+        renew_ghosts(sim, cutoff)
 
     if style.text != "stats" or "remove" in options:
         _change(sim, style.text, types, bit, options)

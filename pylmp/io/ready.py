@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from pylmp.io.neighbor_info import Request, announce
-from pylmp.model.ghosts import ghost_cutoff
+from pylmp.kernels.store import prepare
+from pylmp.model.ghosts import Ghosts, ghost_cutoff
 from pylmp.model.lost import remove_lost
 from pylmp.model.simulation import Simulation
 
@@ -32,3 +33,13 @@ def wrap_atoms(sim: Simulation) -> float:
         sim.bond_lists = []  # they hold rows that become others'
         remove_lost(sim)
     return cutoff
+
+
+def renew_ghosts(sim: Simulation, cutoff: float) -> None:
+    """Ghosts of the wrapped atoms. Their IDs stay in the rows beyond the owned atoms, where the bond lists of the last run look
+    when the next run takes over what they remember: like LAMMPS, it finds the bonds whose ends still are in the same rows.
+    """
+    ghosts = Ghosts(sim)
+    prepare(ghosts.functions(), sim.console.screen)
+    ghosts.build(sim, cutoff)
+    sim.atoms.clear_ghosts()

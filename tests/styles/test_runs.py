@@ -88,6 +88,10 @@ CASES = {
         "off off", WCA, WEIGHTS, f"bond_style bpm/spring/plastic\nbond_coeff * {P}",
         f"velocity all scale 0.1\nrun 70\nbond_style bpm/spring/plastic normalize yes smooth no\nbond_coeff * {P}\nrun 70",
     ),
+    "plastic, bonds counted between runs": (
+        "off off", WCA, WEIGHTS, f"bond_style bpm/spring/plastic\nbond_coeff * {P}",
+        "run 77\ndelete_bonds all stats\nrun 50\nwrite_data x.data\nrun 30\ndelete_bonds all bond 2 remove special\nrun 30",
+    ),
     "unbroken without weights": (
         "on on", WCA, "lj/coul 0 0 0.5", f"bond_style bpm/spring/plastic break no smooth no\nbond_coeff * {P}", LOCAL + "run 100",
     ),
