@@ -152,8 +152,8 @@ class Breaks:
                 sim.bonds -= 1
                 if part.recorder is not None:
                     part.recorder.record(sim, i, j)
-            if part.updates_special:
-                self.pairs.append((int(atoms.tag[i]), int(atoms.tag[j])))
+                if part.updates_special:
+                    self.pairs.append((int(atoms.tag[i]), int(atoms.tag[j])))
             for row, partner in ends:
                 used = int(atoms.num_bond[row])
                 slots = (atoms.bond_atom[row, :used] == partner) & (atoms.bond_type[row, :used] > 0)
