@@ -133,4 +133,4 @@ class Scope:
 
 def _positive(index: Sequence[int]) -> None:
     if any(at <= 0 for at in index):
-        raise FormulaError("Index between variable brackets must be positive")
+        raise ScriptError("Index between variable brackets must be positive")

@@ -35,7 +35,7 @@ def main() -> None:
         for axis in "xyz":
             out.write(f"0 {length!r} {axis}lo {axis}hi\n")
         out.write("\nMasses\n\n1 1.0\n\nAtoms # bond\n\n")
-        for bead, (i, j, k) in zip(range(beads), snake(cells)):
+        for bead, (i, j, k) in zip(range(beads), snake(cells), strict=False):
             x, y, z = ((q + 0.5) * spacing for q in (i, j, k))
             out.write(f"{bead + 1} {bead // LENGTH + 1} 1 {x!r} {y!r} {z!r}\n")
         out.write("\nBonds\n\n")

@@ -133,7 +133,7 @@ def _ranges(sim: Simulation, lattice: Any, region: Any) -> list[range]:
             first -= 1
         ranges.append(range(first, int(most) + 2))
     if sim.dimension == 2:
-        ranges[2] = range(0, 1)
+        ranges[2] = range(1)
     return ranges
 
 
@@ -161,21 +161,21 @@ def _random(sim: Simulation, args: Args, geometry: list[Word], options: dict[str
     random = RanPark(seed)
     random.skip(30)
     near2 = math.pow(options["overlap"] * sim.spacing[0], 2.0)
-    there = [row for row in sim.atoms.x[: sim.atoms.n]]
+    there: list[Floats] = list(sim.atoms.x[: sim.atoms.n])
     new: list[Floats] = []
     for _ in range(count):
         for _ in range(options["maxtry"]):
-            x = np.array([a + random.uniform() * (b - a) for a, b in zip(low, high, strict=True)])
+            point = np.array([a + random.uniform() * (b - a) for a, b in zip(low, high, strict=True)])
             if sim.dimension == 2:
-                x[2] = 0.0
-            if region is not None and not region.inside(x[None])[0]:
+                point[2] = 0.0
+            if region is not None and not region.inside(point[None])[0]:
                 continue
             if near2 > 0.0 and there:
-                d = box.minimum_image(x - np.array(there))
-                if (d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2] < near2).any():
+                away = box.minimum_image(point - np.array(there))
+                if (away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] + away[:, 2] * away[:, 2] < near2).any():
                     continue
-            there.append(x)
-            new.append(x)
+            there.append(point)
+            new.append(point)
             break
     if len(new) < count:
         sim.console.warning(f"Only inserted {len(new)} particles out of {count}")

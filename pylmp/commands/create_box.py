@@ -33,7 +33,7 @@ def create_box(sim: Simulation, args: Args) -> None:
     options = _options(sim, args)
     low, high = region.bounds
     if sim.dimension == 2:
-        if not sim.boundary[2][0] == "p":
+        if sim.boundary[2][0] != "p":
             args.fail("Cannot run 2d simulation with nonperiodic Z dimension", args.owner, hint="boundary x y p")
         if low[2] >= 0.0 or high[2] <= 0.0:
             args.fail("Create_box region zlo/zhi for 2d simulation must straddle 0.0", name)

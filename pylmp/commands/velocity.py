@@ -11,8 +11,11 @@ from numpy.typing import NDArray
 from pylmp.kernels.random import RanPark, park_at
 from pylmp.model.atoms import Floats
 from pylmp.model.motion import (
-    center_of_mass_velocity, remove_rotation, temperature_dof, temperature_of,
-)  # fmt: skip
+    center_of_mass_velocity,
+    remove_rotation,
+    temperature_dof,
+    temperature_of,
+)
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import Unsupported

@@ -46,7 +46,7 @@ class CountType(Compute):
             keep &= atoms.tag[rows] < atoms.bond_atom[rows, slots]
         return atoms.bond_type[rows[keep], slots[keep]]
 
-    def scalar(self, sim: Simulation) -> float:  # type: ignore[no-redef]
+    def scalar(self, sim: Simulation) -> float:
         """Broken bonds (type 0)."""
         return float((self._bonds(sim) == 0).sum())
 

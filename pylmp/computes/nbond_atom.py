@@ -32,7 +32,7 @@ class BondsOfAtom(Compute):
     def per_atom(self, sim: Simulation) -> Floats:
         """(n,) bonds of each atom, both ends counted, broken and turned-off ones not."""
 
-        def wanted(kinds):  # type: ignore[no-untyped-def]
+        def wanted(kinds):
             return (kinds > 0) if self.kind == 0 else (kinds == self.kind)
 
         rows, _, partners = bond_pairs(sim, wanted)

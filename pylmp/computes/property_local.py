@@ -34,7 +34,7 @@ class PropertyLocal(Compute):
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
         args.need(1)
-        self.names = []
+        self.names: list[str] = []
         for word in args.rest():
             if word.text not in ("batom1", "batom2", "btype"):
                 if word.text.rstrip("1234") in ("aatom", "atype", "datom", "dtype", "iatom", "itype"):

@@ -152,10 +152,10 @@ class Reduce(Compute):
             result = result / len(values)
         return result
 
-    def scalar(self, sim: Simulation) -> float:  # type: ignore[no-redef]
+    def scalar(self, sim: Simulation) -> float:
         return self._reduce(self._values(sim, self.inputs[0]))
 
-    def vector(self, sim: Simulation) -> Floats:  # type: ignore[no-redef]
+    def vector(self, sim: Simulation) -> Floats:
         table = [self._values(sim, item) for item in self.inputs]
         result = np.array([self._reduce(values) for values in table])
         for to, by in self.replace.items():

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pylmp.dumps.base import Dump
     from pylmp.model.simulation import Simulation
 
+_BLOCK = 64
 WHOLE, REAL, NAME = Format("%d"), Format("%g"), Format("%s")
 
 
@@ -32,8 +33,11 @@ class Field:
 
 
 def order(keys: Any, descending: bool) -> Ints:
-    """Rows sorted by keys; equal keys stay as they are."""
-    return np.argsort(-keys if descending else keys, kind="stable")
+    """Rows sorted by keys. Equal keys as LAMMPS's merge sort leaves them: blocks of 64 rows from last to first, each in order."""
+    rows = np.arange(len(keys))
+    start = np.lexsort((rows % _BLOCK, -(rows // _BLOCK)))
+    keys = keys[start]
+    return np.asarray(start[np.argsort(-keys if descending else keys, kind="stable")])
 
 
 def text(columns: Sequence[Any], formats: Sequence[Format], ending: str) -> str:

@@ -117,20 +117,21 @@ class Shape:
     def check(self, texts: Sequence[str]) -> Rejection | None:
         """Nothing if the words have the command's shape."""
         parser = self._lark.parse_interactive()
+        fed: list[Token] = []
         for at, text in enumerate(texts):
-            choices = parser.choices()
-            terminal = self._terminal(text, choices)
+            terminal = self._terminal(text, parser.choices())
             if terminal is None:
-                return Rejection(at, self._expected(choices))
+                return Rejection(at, self._expected(fed))
+            token = Token(terminal, text)
             try:
-                parser.feed_token(Token(terminal, text))
+                parser.feed_token(token)
             except UnexpectedInput:
-                return Rejection(at, self._expected(choices))
-        choices = parser.choices()
+                return Rejection(at, self._expected(fed))
+            fed.append(token)
         try:
             parser.feed_eof()
         except UnexpectedInput:
-            return Rejection(None, self._expected(choices))
+            return Rejection(None, self._expected(fed))
         return None
 
     def _terminal(self, text: str, choices: dict[str, Any]) -> str | None:
@@ -139,8 +140,12 @@ class Shape:
             return fixed
         return next((name for name, pattern in self._loose if name in choices and pattern.fullmatch(text)), None)
 
-    def _expected(self, choices: dict[str, Any]) -> tuple[str, ...]:
-        return tuple(sorted(self._names[name] for name in choices if name in self._names))
+    def _expected(self, fed: list[Token]) -> tuple[str, ...]:
+        """What may follow these words. A state of the table alone would name too much: LALR merges look-aheads."""
+        parser = self._lark.parse_interactive()
+        for token in fed:
+            parser.feed_token(token)
+        return tuple(sorted(self._names[name] for name in parser.accepts() if name in self._names))
 
 
 @cache

@@ -103,7 +103,7 @@ def as_ascii(text: Text) -> Text:
 def decode(data: bytes, file: str) -> str:
     """The text of a script. Raises ScriptError if data is not text."""
     kinds = ((b"{\\rtf", "a word processor's file (RTF)"), (b"\x1f\x8b", "compressed (gzip)"), (b"PK\x03\x04", "a zip archive"),
-             (b"\x89PNG", "an image"), (b"%PDF", "a PDF file"), (b"\x7fELF", "a program"))  # fmt: skip
+             (b"\x89PNG", "an image"), (b"%PDF", "a PDF file"), (b"\x7fELF", "a program"), (b"\xff\xfe", "UTF-16"), (b"\xfe\xff", "UTF-16"))  # fmt: skip
     for magic, kind in kinds:
         if data.startswith(magic):
             raise ScriptError(

