@@ -1,7 +1,6 @@
 """read_data: fill a simulation from a data file.
 
-A file with bonds is read twice, as LAMMPS does: the first pass counts the bonds of each atom, the second stores them. The box
-is set in both, so that shrink-wrapped faces move outward twice.
+A file with bonds is read twice, as LAMMPS does, to count and to store; the box is set twice, and shrinking faces move outward twice.
 """
 
 from __future__ import annotations

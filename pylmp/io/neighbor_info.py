@@ -20,8 +20,8 @@ class Request:
 
 
 def announce(sim: Simulation, requests: tuple[Request, ...]) -> None:
-    """Print `Neighbor list info ...`, unless the same lists were announced before."""
-    if sim.announced == requests:
+    """Print `Neighbor list info ...`, unless the same lists were announced before; a command's list is new each time."""
+    if sim.announced == requests and not any(request.occasional for request in requests):
         return
     sim.announced = requests
     cutoff = sim.neighbor_cutoff
