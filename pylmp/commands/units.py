@@ -1,14 +1,11 @@
-"""units lj"""
+"""units lj|real|metal|si|cgs|electron|micro|nano"""
 
 from __future__ import annotations
 
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.units import UNITS
-from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args
-
-_ELSEWHERE = ("real", "metal", "si", "cgs", "electron", "micro", "nano")
 
 
 @command("units")
@@ -19,11 +16,7 @@ def units(sim: Simulation, args: Args) -> None:
         args.illegal(args.peek())
     if sim.has_box:
         args.fail("Units command after simulation box is defined", args.owner, hint="units comes first in a script")
-    if word.text in _ELSEWHERE:
-        raise Unsupported(
-            f"LAMMPS has units {word.text}, pylmp's native engines do not", word.span, hint="units lj", manual=args.manual
-        )
     if word.text not in UNITS:
-        args.fail(f"Unknown units style {word.text}", word, hint="units lj")
+        args.fail(f"Unknown units style {word.text}", word, hint=" ".join(UNITS))
     sim.units = UNITS[word.text]
     sim.dt, sim.neighbor.skin = sim.units.dt, sim.units.skin

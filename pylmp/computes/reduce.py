@@ -15,12 +15,12 @@ import numpy as np
 
 from pylmp.model.atoms import Floats
 from pylmp.model.compute import Compute
+from pylmp.model.reference import expand
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import total
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args, Word
-from pylmp.thermo.reference import expand
 
 _BIG = 1.0e20
 _MODES = ("sum", "min", "max", "ave", "sumsq", "avesq", "sumabs", "aveabs", "maxabs", "minabs")

@@ -11,12 +11,12 @@ from pylmp.dumps.attributes import ATTRIBUTES, NOT_ALLOCATED
 from pylmp.dumps.base import Dump
 from pylmp.dumps.frame import Field
 from pylmp.model.atoms import Ints
+from pylmp.model.reference import Reference, expand, length, offers, parse
 from pylmp.model.registry import DUMPS
 from pylmp.model.simulation import Simulation
+from pylmp.model.variables import Variables
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args, Word
-from pylmp.thermo.reference import Reference, expand, length, offers, parse
-from pylmp.thermo.variables import Variables
 
 
 @DUMPS.register("custom")

@@ -13,11 +13,11 @@ import numpy as np
 from pylmp.dumps.base import Dump
 from pylmp.dumps.frame import WHOLE, Field
 from pylmp.model.atoms import Ints
+from pylmp.model.reference import Reference, expand, length, offers, parse
 from pylmp.model.registry import DUMPS
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
-from pylmp.thermo.reference import Reference, expand, length, offers, parse
 
 
 @DUMPS.register("local")

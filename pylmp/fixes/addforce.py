@@ -20,6 +20,7 @@ from pylmp.text.words import Args
 @FIXES.register("addforce")
 class AddForce(ForceFix):
     style = "addforce"
+    minimizes = True
     extensive_scalar = extensive_vector = True
     has_energy = has_virial = True
     length = 3

@@ -15,6 +15,7 @@ from pylmp.text.words import Args
 @FIXES.register("enforce2d")
 class Enforce2d(Fix):
     style = "enforce2d"
+    minimizes = True
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)

@@ -18,6 +18,7 @@ from pylmp.text.words import Args
 @FIXES.register("setforce")
 class SetForce(ForceFix):
     style = "setforce"
+    minimizes = True
     extensive_vector = True
     length = 3
 

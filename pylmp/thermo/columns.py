@@ -7,9 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from pylmp.model.reference import Reference, length, offers, parse
 from pylmp.text.words import Args, Word
 from pylmp.thermo.keywords import KEYWORDS
-from pylmp.thermo.reference import Reference, length, offers, parse
 
 if TYPE_CHECKING:
     from pylmp.thermo.table import Thermo

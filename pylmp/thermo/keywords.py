@@ -75,7 +75,7 @@ def _couple(t: Thermo) -> float:
 
 
 def _density(t: Thermo) -> float:
-    return total(t.sim.masses()) / t.sim.box.volume
+    return t.sim.units.mv2d * total(t.sim.masses()) / t.sim.box.volume
 
 
 def _force_max(t: Thermo) -> float:

@@ -8,15 +8,15 @@ from typing import Any
 
 from pylmp.io.run_log import memory_line
 from pylmp.model.atoms import Floats
+from pylmp.model.reference import Reference, expand, offers
 from pylmp.model.simulation import Simulation
+from pylmp.model.variables import Variables
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.printf import Format
 from pylmp.text.words import Args, Word
 from pylmp.thermo.columns import Column, column
 from pylmp.thermo.keywords import KEYWORDS
 from pylmp.thermo.layout import LAYOUTS
-from pylmp.thermo.reference import Reference, expand, offers
-from pylmp.thermo.variables import Variables
 
 _NOT_TALLIED = "Energy was not tallied on needed timestep"
 

@@ -1,0 +1,41 @@
+"""The script's variables as commands, fixes, computes, thermo columns and dumps read them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pylmp.model.atoms import Floats
+from pylmp.text.diagnostic import ScriptError
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+
+EQUAL_STYLES = ("equal", "timer", "internal")  # one number, computed when it is asked for
+
+
+class Variables:
+    """The variables of a simulation's script, by name. A simulation without a script has none."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self._sim = sim
+
+    def style(self, name: str) -> str | None:
+        """equal, atom, vector, index, ...; None if there is no such variable."""
+        script = self._sim.script
+        known = script.variables.known.get(name) if script is not None else None
+        return str(known.style) if known is not None else None
+
+    def number(self, name: str) -> float:
+        """What an equal-style variable is worth now."""
+        script = self._sim.script
+        return float(script.variables.number(name, script.scope))
+
+    def per_atom(self, name: str) -> Floats:
+        """(n,) float64: what an atom-style variable is worth now for each owned atom, in local order.
+
+        Raises ScriptError with LAMMPS's sentence.
+        """
+        script = self._sim.script
+        if not hasattr(script.variables, "per_atom"):
+            raise ScriptError(f"Variable {name}: atom-style variables need a script")
+        return script.variables.per_atom(name, script.scope)
