@@ -1,4 +1,4 @@
-"""Reads tests/corpus/bad.cases: wrong scripts with the sentence and the place of their error."""
+"""Reads tests/corpus/bad*.cases: wrong scripts with the sentence and the place of their error."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-CORPUS = Path(__file__).parent / "corpus" / "bad.cases"
+CORPUS = Path(__file__).parent / "corpus"
 
 
 @dataclass(frozen=True)
@@ -21,10 +21,15 @@ class Case:
 
 
 def cases() -> list[Case]:
+    """All cases of all files; a file's preludes are its own."""
+    return [case for path in sorted(CORPUS.glob("bad*.cases")) for case in _cases(path)]
+
+
+def _cases(path: Path) -> list[Case]:
     preludes: dict[str, list[str]] = {}
     found: list[tuple[str, list[str]]] = []
     into: list[str] | None = None
-    for line in CORPUS.read_text().splitlines():
+    for line in path.read_text().splitlines():
         if header := re.match(r"-- (\w+)(?: = (\w+) \+)?$", line):
             into = preludes[header[1]] = list(preludes[header[2]]) if header[2] else []
         elif header := re.match(r"== (\w+): (.*)", line):
