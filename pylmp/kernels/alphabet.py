@@ -17,7 +17,9 @@ from numba.extending import intrinsic, overload
 
 from pylmp import laws
 
-WORDS: frozenset[Callable[..., Any]] = frozenset({laws.select, laws.sqrt, laws.fabs})
+WORDS: frozenset[Callable[..., Any]] = frozenset(
+    {laws.select, laws.sqrt, laws.fabs, laws.exp, laws.log, laws.sin, laws.cos, laws.power, laws.whole}
+)
 
 
 @intrinsic
@@ -45,3 +47,33 @@ def _sqrt(x):
 @overload(laws.fabs)
 def _fabs(x):
     return lambda x: math.fabs(x)
+
+
+@overload(laws.exp)
+def _exp(x):
+    return lambda x: math.exp(float(x))
+
+
+@overload(laws.log)
+def _log(x):
+    return lambda x: math.log(float(x))
+
+
+@overload(laws.sin)
+def _sin(x):
+    return lambda x: math.sin(float(x))
+
+
+@overload(laws.cos)
+def _cos(x):
+    return lambda x: math.cos(float(x))
+
+
+@overload(laws.power)
+def _power(x, y):
+    return lambda x, y: math.pow(float(x), float(y))
+
+
+@overload(laws.whole)
+def _whole(x):
+    return lambda x: int(x) if math.fabs(x) < 4611686018427387904.0 else 0

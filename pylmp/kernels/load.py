@@ -13,7 +13,7 @@ _ABSOLUTE, _RELATIVE = 1, (2, 4)  # R_X86_64_64; R_X86_64_PC32 and PLT32
 _READ_EXECUTE = 5
 _JUMP = b"\xff\x25\0\0\0\0"  # jmp to the address in the eight bytes behind it
 _STUB_SIZE = 16
-_FROM_C = frozenset({"memset", "memcpy", "memmove", "exp", "log", "pow", "sin", "cos"})
+_FROM_C = frozenset({"memset", "memcpy", "memmove", "exp", "log", "pow", "sin", "cos", "sincos"})
 
 
 def place(code: bytes) -> tuple[Any, int]:

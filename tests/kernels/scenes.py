@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from pylmp.laws import fabs, select, sqrt
+from pylmp.laws import cos, exp, fabs, log, power, select, sin, sqrt, whole
 
 STIFFNESS = 3.0
 
@@ -82,7 +82,27 @@ def word(name):
             out[i] = max(x[i], 0.25) - min(x[i], 0.5) + abs(x[i])
         return 0.0
 
-    return {f.__name__: f for f in (divide, root, magnitude, floor, bounds)}[name]
+    def grow(x: "f8*", out: "f8*", n: "i8") -> "f8":
+        for i in range(n):
+            out[i] = exp(x[i]) + log(x[i])
+        return 0.0
+
+    def turn(x: "f8*", out: "f8*", n: "i8") -> "f8":
+        for i in range(n):
+            out[i] = sin(x[i]) + 3.0 * cos(x[i])
+        return 0.0
+
+    def raised(x: "f8*", out: "f8*", n: "i8") -> "f8":
+        for i in range(n):
+            out[i] = power(x[i], 1.0 / 3.0) + power(x[i], 3.0) + power(x[i], -1.5)
+        return 0.0
+
+    def index(x: "f8*", out: "f8*", n: "i8") -> "f8":
+        for i in range(n):
+            out[i] = float(whole(x[i] * 1.0e3))
+        return 0.0
+
+    return {f.__name__: f for f in (divide, root, magnitude, floor, bounds, grow, turn, raised, index)}[name]
 
 
 def transcendental():
@@ -92,6 +112,17 @@ def transcendental():
         return math.exp(a) + math.pow(a, 1.7)
 
     return powers
+
+
+def both_of_an_angle():
+    """What the compiler turns into sincos."""
+
+    def turned(x: "f8*", y: "f8*", n: "i8", a: "f8") -> "f8":
+        for i in range(n):
+            y[i] = sin(x[i]) + cos(x[i])
+        return a
+
+    return turned
 
 
 def fill_and_copy():

@@ -14,7 +14,17 @@ import pytest
 from pylmp.kernels import compile as compiler
 from pylmp.kernels import disk, load, store, workers
 from pylmp.kernels.key import key
-from tests.kernels.scenes import allocating, chain, fill_and_copy, line, soft, spring, transcendental, word
+from tests.kernels.scenes import (
+    allocating,
+    both_of_an_angle,
+    chain,
+    fill_and_copy,
+    line,
+    soft,
+    spring,
+    transcendental,
+    word,
+)
 
 ROOT = Path(__file__).parents[2]
 COMPILED_HERE = str(not hasattr(os, "fork") or sys.platform == "darwin")  # elsewhere children do it
@@ -181,7 +191,9 @@ def test_llvm_links_where_the_small_loader_cannot(monkeypatch) -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux" or platform.machine() != "x86_64", reason="the small loader's platform")
-@pytest.mark.parametrize(("function", "called"), [(transcendental(), b"pow"), (fill_and_copy(), b"memset")])
+@pytest.mark.parametrize(
+    ("function", "called"), [(transcendental(), b"pow"), (fill_and_copy(), b"memset"), (both_of_an_angle(), b"sincos")]
+)
 def test_the_small_loader_links_the_c_library(function, called: bytes, monkeypatch) -> None:
     assert called in compiler.compile_object(function)
     monkeypatch.setattr(load, "_load_llvm", lambda _: pytest.fail("left to LLVM"))

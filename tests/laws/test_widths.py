@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from itertools import product
 
+import mpmath as mp
 import numpy as np
 import pytest
 
+from pylmp import laws
 from pylmp.bonds.bpm_spring_plastic import plastic
 from pylmp.model.registry import BONDS, PAIRS
 
+mp.mp.dps = 50
 RANDOM = np.random.default_rng(21)
 N = 2000
 R2 = RANDOM.uniform(0.6, 2.3, N) ** 2
@@ -66,3 +70,20 @@ def test_pair_law(name: str, options: dict, coeffs: tuple, cut: float) -> None:
 def test_every_combination_of_options_is_its_own_law() -> None:
     forces = {plastic(options)(1.21, 0.3, (1.05, 0.0), (10.0, 0.3, 0.5, 0.02))[0] for options in PLASTIC}
     assert len(forces) == len(PLASTIC)
+
+
+def test_functions_answer_as_c_does() -> None:
+    """Where Python's math raises: infinite, zero or nan, alone and in arrays; mpmath's numbers keep their digits."""
+    inf, nan = math.inf, math.nan
+    cases = [
+        (laws.exp, (710.0,), inf), (laws.exp, (-inf,), 0.0), (laws.log, (0.0,), -inf), (laws.log, (-1.0,), nan),
+        (laws.sin, (inf,), nan), (laws.cos, (-inf,), nan), (laws.power, (0.0, -1.5), inf), (laws.power, (-2.0, 0.5), nan),
+        (laws.power, (-1e200, 3.0), -inf), (laws.power, (-1e200, 2.0), inf), (laws.power, (-8.0, 3.0), -512.0),
+        (laws.whole, (-2.7,), -2), (laws.whole, (nan,), 0), (laws.whole, (1e300,), 0),
+    ]  # fmt: skip
+    for function, values, expected in cases:
+        np.testing.assert_equal(function(*values), expected)
+        np.testing.assert_equal(function(*(np.array([v, v]) for v in values)), np.array([expected] * 2))
+    third = laws.power(mp.mpf(2), 1.0 / mp.mpf(3)) - mp.cbrt(2)
+    assert abs(third) < mp.mpf(10) ** -45
+    assert abs(laws.log(laws.exp(mp.mpf(0.3))) - mp.mpf(0.3)) < mp.mpf(10) ** -45
