@@ -30,7 +30,7 @@ class PotentialEnergy(Compute):
         self.parts = parts or ["pair", "bond", "fix"]
 
     def scalar(self, sim: Simulation) -> float:
-        if sim.tally.step != sim.step:
+        if not sim.tally.current(sim.step):
             raise ScriptError("Energy was not tallied on needed timestep", hint="use it on thermo steps")
         energy = 0.0
         if "pair" in self.parts:

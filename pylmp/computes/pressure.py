@@ -56,7 +56,7 @@ class Pressure(Compute):
 
     def virial(self, sim: Simulation) -> Floats:
         """(6,) xx yy zz xy xz yz of the parts asked for."""
-        if sim.tally.step != sim.step:
+        if not sim.tally.current(sim.step):
             raise ScriptError("Virial was not tallied on needed timestep", hint="use it on thermo steps")
         result = np.zeros(6)
         for name, values in (("pair", sim.tally.pair_virial), ("bond", sim.tally.bond_virial)):

@@ -55,7 +55,6 @@ class Run:
         sim.bond_lists = self.forces.bonds
         self.hooks: dict[str, list[Any]] = {}
         self.builds = self.dangerous = self.ago = 0
-        self.tallied_next = -1
         self.stop = False
 
     # ---- set-up ---------------------------------------------------------------------------------------------
@@ -101,7 +100,7 @@ class Run:
             timers.stamp("Neigh")
             self.refresh()
             timers.stamp("Comm")
-        self._forces(tally=sim.step == self.tallied_next, setup=False)
+        self._forces(tally=sim.output.reads(sim), setup=False)
         self._call("post_force")
         self._call("final_integrate")
         self._call("end_of_step")
@@ -184,13 +183,11 @@ class Run:
         restore = self._listen()
         self.timers.clear()
         try:
-            self.tallied_next = sim.output.next_step(sim)
             while sim.step < end and not self.stop:
                 self.step()
                 if sim.output.due(sim):
                     sim.output.write(sim)
                     self.timers.stamp("Output")
-                    self.tallied_next = sim.output.next_step(sim)
                 if sim.halted:
                     break
         finally:

@@ -1,7 +1,8 @@
-"""fix ID GROUP addforce fx fy fz [every N] [region ID]: a constant force on every atom.
+"""fix ID GROUP addforce fx fy fz [every N] [region ID] [energy v_NAME]: a force on every atom.
 
-scalar: potential energy of that force, -sum(f . x) with unwrapped x; vector: total force before. fix_modify energy and
-virial count them in. Source: LAMMPS manual, fix_addforce.html.
+fx fy fz are numbers, equal-style or atom-style variables. scalar: potential energy of the force, -sum(f . x) with unwrapped x,
+or the sum of the atom-style variable that energy names; vector: total force before. fix_modify energy and virial count them in.
+Source: LAMMPS manual, fix_addforce.html.
 """
 
 from __future__ import annotations
@@ -9,11 +10,12 @@ from __future__ import annotations
 import numpy as np
 
 from pylmp.model.atoms import Floats
-from pylmp.model.forces import ForceFix, read_components
+from pylmp.model.forces import ForceFix
+from pylmp.model.quantity import Quantity
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import total, totals
-from pylmp.text.diagnostic import Unsupported
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
 
@@ -27,9 +29,10 @@ class AddForce(ForceFix):
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
-        self.force = [force or 0.0 for force in read_components(args, null=False)]
+        self.read_force(args, null=False)
         self.interval = 1
-        self.read_keywords(sim, args, {"every": self._every, "energy": self._elsewhere})
+        self.energy = Quantity(absent=True)
+        self.read_keywords(sim, args, {"every": self._every, "energy": self._energy_of})
         self._before = np.zeros(3)
         self._energy = 0.0
         self._virial = np.zeros(6)
@@ -39,23 +42,48 @@ class AddForce(ForceFix):
         if self.interval <= 0:
             args.fail(f"Invalid fix addforce every argument: {self.interval}", hint="every so many steps")
 
-    @staticmethod
-    def _elsewhere(args: Args) -> None:
-        raise Unsupported("LAMMPS has fix addforce energy, pylmp's native engines do not", args.word().span)
+    def _energy_of(self, args: Args) -> None:
+        word = args.peek()
+        if word is not None and not word.text.startswith("v_"):
+            args.fail(f"Invalid fix addforce energy argument: {word.text}", word, hint="v_NAME of an atom-style variable")
+        self.energy = Quantity.read(args)
+
+    def init(self, sim: Simulation) -> None:
+        super().init(sim)
+        if self.energy.varies:
+            self.energy.check(sim, "fix addforce", atoms=True)
+            if not self.energy.per_atom:
+                raise ScriptError(f"Variable {self.energy.name} for fix addforce is invalid style", hint="an atom-style variable")
+            if not self.varies:
+                raise ScriptError(
+                    "Cannot use variable energy with constant force in fix addforce", hint="its energy is known: leave energy out"
+                )
 
     def post_force(self, sim: Simulation) -> None:
         if sim.step % self.interval:
             return
         atoms = sim.atoms
+        tallied = sim.tally.step == sim.step  # on other steps LAMMPS keeps the virial of the last one that was
+        self._energy, self._before = 0.0, np.zeros(3)
+        if tallied:
+            self._virial = np.zeros(6)
         rows = self.members(sim)
         f = atoms.f[: atoms.n]
         x = sim.box.unwrap(atoms.x[: atoms.n], atoms.image[: atoms.n])[rows]
-        a, b, c = self.force
-        self._energy = total(-(a * x[:, 0] + b * x[:, 1] + c * x[:, 2]))
+        a, b, c, energy = self.values(sim, rows, self.energy)
+        work = a * x[:, 0], b * x[:, 1], c * x[:, 2]
+        if not self.varies:
+            self._energy = total(-(work[0] + work[1] + work[2]))
+        elif self.energy.varies:
+            self._energy = total(np.asarray(energy))
+        else:
+            self._energy = total(-np.stack(work, axis=1).ravel())
         self._before = totals(f[rows])
-        f[rows] += np.array(self.force)
-        products = (a * x[:, 0], b * x[:, 1], c * x[:, 2], a * x[:, 1], a * x[:, 2], b * x[:, 2])
-        self._virial = totals(np.stack(products, axis=1))
+        push = np.empty((len(x), 3))
+        push[:, 0], push[:, 1], push[:, 2] = a, b, c
+        f[rows] += push
+        if tallied:
+            self._virial = totals(np.stack([*work, a * x[:, 1], a * x[:, 2], b * x[:, 2]], axis=1))
 
     setup = post_force
 

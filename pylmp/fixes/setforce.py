@@ -1,6 +1,7 @@
 """fix ID GROUP setforce fx fy fz [region ID]: forces are replaced (NULL leaves a component alone).
 
-vector: total force before, three components. Source: LAMMPS manual, fix_setforce.html.
+fx fy fz are numbers, equal-style or atom-style variables. vector: total force before, three components.
+Source: LAMMPS manual, fix_setforce.html.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from pylmp.model.atoms import Floats
-from pylmp.model.forces import ForceFix, read_components
+from pylmp.model.forces import ForceFix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import totals
@@ -24,7 +25,7 @@ class SetForce(ForceFix):
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
-        self.force = read_components(args, null=True)
+        self.read_force(args, null=True)
         self.read_keywords(sim, args, {})
         self._before = np.zeros(3)
 
@@ -32,9 +33,9 @@ class SetForce(ForceFix):
         f = sim.atoms.f[: sim.atoms.n]
         rows = self.members(sim)
         self._before = totals(f[rows])
-        for d, force in enumerate(self.force):
-            if force is not None:
-                f[rows, d] = force
+        for d, value in enumerate(self.values(sim, rows)):
+            if not self.force[d].absent:
+                f[rows, d] = value
 
     setup = post_force
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
@@ -27,7 +29,10 @@ class Fix:
     has_energy has_virial   fix_modify may count its scalar in the potential energy, its virial in the pressure
     in_energy in_virial     it did
     couples       its scalar is energy exchanged with a heat bath (thermo keyword ecouple)
+    extensive_scalar extensive_vector   thermo divides them by the number of atoms when norm is on
     length        components of its vector
+    compatible_every   what it offers is current on multiples of this step count only
+    reads         the step at which it next reads energies or virial, which the engine sums only when somebody will
     """
 
     style: ClassVar[str] = ""
@@ -37,7 +42,11 @@ class Fix:
     has_energy: ClassVar[bool] = False
     has_virial: ClassVar[bool] = False
     couples: ClassVar[bool] = False
+    extensive_scalar: bool = False
+    extensive_vector: bool = False
     in_energy = in_virial = False
+    compatible_every: int = 1
+    reads: int = -1
     every: int = 1
     internal = False  # made by a style, not by a fix command
 
@@ -50,6 +59,15 @@ class Fix:
     def functions(self) -> list[Any]:
         """Kernels it will call, so that a run can compile all it needs at once. It binds them in post_neighbor."""
         return []
+
+    @contextmanager
+    def reading(self, sim: Simulation, following: int) -> Iterator[None]:
+        """Around the evaluation of variables and computes: what is read now will be read again at step following."""
+        sim.consumer += 1
+        sim.tally.read = -1
+        yield
+        if sim.tally.read == sim.step:
+            self.reads = following
 
     def members(self, sim: Simulation) -> Any:
         """(n,) bool: the owned atoms of this fix's group."""

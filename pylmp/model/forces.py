@@ -1,4 +1,4 @@
-"""What setforce and addforce share: fx fy fz, and which atoms they act on."""
+"""What setforce, addforce and aveforce share: fx fy fz, and which atoms they act on."""
 
 from __future__ import annotations
 
@@ -8,30 +8,32 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pylmp.model.atoms import Floats
 from pylmp.model.fix import Fix
-from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.model.quantity import Quantity
+from pylmp.model.region import named
 from pylmp.text.words import Args
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 
-def read_components(args: Args, null: bool) -> list[float | None]:
-    """fx fy fz as numbers; None for NULL where that is allowed. Variables are LAMMPS's only."""
-    args.need(3)
-    result: list[float | None] = []
-    for _ in range(3):
-        word = args.word()
-        if word.text.startswith("v_"):
-            raise Unsupported(f"LAMMPS has variables in {args.what}, pylmp's native engines do not", word.span)
-        result.append(None if null and word.text == "NULL" else args.as_number(word))
-    return result
-
-
 class ForceFix(Fix):
-    """A fix that changes the forces of its group, or of those of its atoms that are inside a region now."""
+    """A fix that changes the forces of its group, or of those of its atoms that are inside a region now.
+
+    force     fx fy fz: numbers or variables, absent where NULL may stand
+    per_atom  atom-style variables may stand there
+    missing invalid   what LAMMPS says of a variable that does not exist, that has another style
+    """
 
     region = ""
+    force: list[Quantity]
+    per_atom = True
+    missing, invalid = "Variable {} for {} does not exist", "Variable {} for {} is invalid style"
+
+    def read_force(self, args: Args, null: bool) -> None:
+        args.need(3)
+        self.force = [Quantity.read(args, null=null) for _ in range(3)]
 
     def read_keywords(self, sim: Simulation, args: Args, others: dict[str, Callable[[Args], None]]) -> None:
         """region ID, and what else a style knows: keyword -> reader of its one value."""
@@ -49,11 +51,25 @@ class ForceFix(Fix):
             self.region = name.text
 
     def init(self, sim: Simulation) -> None:
-        if self.region and self.region not in sim.regions:
-            raise ScriptError(f"Region {self.region} for fix {self.style} does not exist", hint="it was deleted")
+        for force in self.force:
+            force.check(sim, f"fix {self.style}", atoms=self.per_atom, missing=self.missing, invalid=self.invalid)
+        if self.region:
+            named(sim, self.region, f"fix {self.style}")
+
+    @property
+    def varies(self) -> bool:
+        return any(force.varies for force in self.force)
 
     def members(self, sim: Simulation) -> NDArray[np.bool_]:
         chosen = super().members(sim)
         if self.region:
             chosen &= sim.regions[self.region].inside(sim.atoms.x[: sim.atoms.n])
         return np.asarray(chosen)
+
+    def values(self, sim: Simulation, rows: NDArray[np.bool_], *others: Quantity) -> list[Floats | float]:
+        """fx fy fz, and others, now: a number each, or (k,) numbers for the k chosen rows; 0.0 where absent."""
+        if not self.varies:
+            return [quantity.value for quantity in (*self.force, *others)]
+        with self.reading(sim, sim.step + 1):
+            found = [0.0 if quantity.absent else quantity.numbers(sim) for quantity in (*self.force, *others)]
+        return [value[rows] if isinstance(value, np.ndarray) else value for value in found]

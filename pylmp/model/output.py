@@ -115,7 +115,6 @@ class Output:
         """Something is to be written at sim.step."""
         return sim.step == self._due
 
-    def next_step(self, sim: Simulation) -> int:
-        """The next step after sim.step that needs energies and virial: output is due, or a fix measures."""
-        fixes = [(sim.step // fix.every + 1) * fix.every for fix in sim.fixes if getattr(fix, "needs_tally", False)]
-        return min([self._due, *fixes])
+    def reads(self, sim: Simulation) -> bool:
+        """Somebody reads energies or virial at sim.step: output is due, or a fix measures."""
+        return sim.step == self._due or any(fix.reads == sim.step for fix in sim.fixes)

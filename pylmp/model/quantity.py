@@ -43,20 +43,23 @@ class Quantity:
     def varies(self) -> bool:
         return bool(self.name)
 
-    def check(self, sim: Simulation, owner: str, *, atoms: bool = False) -> None:
+    def check(
+        self, sim: Simulation, owner: str, *, atoms: bool = False, missing: str = "Variable {} for {} does not exist",
+        invalid: str = "Variable {} for {} is invalid style",
+    ) -> None:  # fmt: skip
         """At the start of a run: the variable exists and is equal-style (atom-style too, where atoms).
 
-        owner is what LAMMPS's sentence names, e.g. "fix setforce". Raises ScriptError.
+        owner is what LAMMPS's sentences name, e.g. "fix setforce". Raises ScriptError.
         """
         if not self.name:
             return
         style = Variables(sim).style(self.name)
         if style is None:
-            raise ScriptError(f"Variable {self.name} for {owner} does not exist", hint=f"variable {self.name} equal ...")
+            raise ScriptError(missing.format(self.name, owner), hint=f"variable {self.name} equal ...")
         self.per_atom = atoms and style in ("atom", "atomfile")
         if not self.per_atom and style not in EQUAL_STYLES:
             kinds = "equal or atom" if atoms else "equal"
-            raise ScriptError(f"Variable {self.name} for {owner} is invalid style", hint=f"an {kinds}-style variable")
+            raise ScriptError(invalid.format(self.name, owner), hint=f"an {kinds}-style variable")
 
     def number(self, sim: Simulation) -> float:
         """Its value now, of one number."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
-from pylmp.text.diagnostic import Unsupported
+from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args, Word
 
 if TYPE_CHECKING:
@@ -37,6 +37,14 @@ class Region:
     @property
     def bounds(self) -> Extent | None:
         return None if self.outside else self.extent
+
+
+def named(sim: Simulation, name: str, owner: str) -> Region:
+    """The region called name. Raises ScriptError if it was deleted; owner is whom LAMMPS's sentence names."""
+    found: Region | None = sim.regions.get(name)
+    if found is None:
+        raise ScriptError(f"Region {name} for {owner} does not exist", hint="it was deleted")
+    return found
 
 
 def bound(sim: Simulation, args: Args, axis: int, high: bool, scale: float) -> float:

@@ -49,10 +49,20 @@ class SpecialSettings:
 
 @dataclass
 class Tally:
-    """Energies and virials of the last step that asked for them. Virials are (6,) xx yy zz xy xz yz."""
+    """Energies and virials of the last step that asked for them. Virials are (6,) xx yy zz xy xz yz.
+
+    step    which they belong to
+    read    the last step at which somebody wanted them
+    """
 
     step: int = -1
+    read: int = -1
     pair: float = 0.0
     bond: float = 0.0
     pair_virial: list[float] = field(default_factory=lambda: [0.0] * 6)
     bond_virial: list[float] = field(default_factory=lambda: [0.0] * 6)
+
+    def current(self, step: int) -> bool:
+        """Somebody wants those of step: are these they?"""
+        self.read = step
+        return self.step == step

@@ -79,6 +79,7 @@ class Simulation:
         self.dt = self.units.dt
         self.begin = self.end = 0  # steps that ramps of the current run refer to
         self.tally = Tally()
+        self.consumer = 0  # counts those who read computes: each of them evaluates anew
         self.report: Any = None
         self.lists: Any = None  # the engine's ghosts and neighbor lists of the last run
         self.ran = False  # a run was set up before

@@ -15,7 +15,7 @@ ELSEWHERE = {
     "gran/hooke gran/hooke/history gran/hertz/history granular lubricate colloid gauss lj/class2 lj/cubic mie/cut python tri/lj zbl",
     "bond": "angles bpm/rotational bpm/spring class2 fene fene/expand fene/nm gaussian gromos harmonic/restrain harmonic/shift "
     "harmonic/shift/cut lepton mesocnt mm3 morse nonlinear oxdna/fene rheo/shell special table",
-    "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo ave/time aveforce balance bond/break bond/create "
+    "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo ave/time balance bond/break bond/create "
     "bond/react bond/swap box/relax controller deposit drag dt/reset efield evaporate external flow/gauss freeze gcmc gravity halt "
     "heat indent langevin/drude lineforce momentum msst neb nph npt nve/limit nve/noforce nve/sphere nvk nvt nvt/sllod orient/fcc "
     "oneway planeforce poems pour press/berendsen print property/atom python/invoke qeq/point rattle recenter restrain rigid "

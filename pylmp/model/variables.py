@@ -26,9 +26,9 @@ class Variables:
         return str(known.style) if known is not None else None
 
     def number(self, name: str) -> float:
-        """What an equal-style variable is worth now."""
+        """What an equal-style variable is worth now, all digits."""
         script = self._sim.script
-        return float(script.variables.number(name, script.scope))
+        return float(script.variables.value(name, script.scope))
 
     def per_atom(self, name: str) -> Floats:
         """(n,) float64: what an atom-style variable is worth now for each owned atom, in local order.

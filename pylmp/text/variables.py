@@ -175,6 +175,10 @@ class Variables:
         except ValueError:
             raise ScriptError(f"Variable {name}: Non-numeric variable value in variable formula") from None
 
+    def value(self, name: str, scope: Scope) -> float:
+        """What an equal-style variable is worth, all digits: what fixes, computes and thermo columns read. Raises ScriptError."""
+        return self._evaluate(name, scope)
+
     def _evaluate(self, name: str, scope: Scope) -> float:
         if name in self._evaluating:
             raise ScriptError(f"Variable {name}: has a circular dependency", manual="variable.html")

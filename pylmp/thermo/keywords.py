@@ -57,7 +57,7 @@ def _pair(t: Thermo) -> float:
 
 
 def _tail(t: Thermo) -> float:
-    if t.sim.tally.step != t.sim.step:
+    if not t.sim.tally.current(t.sim.step):
         raise ScriptError("Energy was not tallied on needed timestep for thermo keyword etail", hint="use it on thermo steps")
     return t.per_atom(t.sim.pair.tails(t.sim)[0] / t.sim.box.volume) if t.sim.pair else 0.0
 

@@ -47,7 +47,7 @@ class Thermo:
         self.modified = False
         self.variables = Variables(sim)
         self._known: dict[tuple[str, str, str], Any] = {}
-        self._known_at = -1
+        self._known_at = (-1, 0)
         self._paces: dict[str, tuple[float, float]] = {}
         self._uses = ""  # what the columns of the last run needed
         self.columns: list[Column] = []
@@ -63,9 +63,10 @@ class Thermo:
         return self.per_atom(number) if extensive else number
 
     def _evaluate(self, kind: str, name: str, values: str) -> Any:
-        """Each compute is evaluated once a step, as LAMMPS does."""
-        if self._known_at != self.sim.step:
-            self._known, self._known_at = {}, self.sim.step
+        """Each compute is evaluated once for each consumer of a step, as LAMMPS does."""
+        now = self.sim.step, self.sim.consumer
+        if self._known_at != now:
+            self._known, self._known_at = {}, now
         key = (kind, name, values)
         if key not in self._known:
             source = Reference(kind, name, ()).source(self.sim)
@@ -127,7 +128,7 @@ class Thermo:
             raise ScriptError(f"Invalid thermo keyword '{keyword}' in variable formula", manual="thermo_style.html")
         if "r" in known.needs and not self.sim.output.running:
             raise ScriptError(f"The variable thermo keyword {keyword} cannot be used between runs")
-        if "e" in known.needs and self.sim.tally.step != self.sim.step:
+        if "e" in known.needs and not self.sim.tally.current(self.sim.step):
             raise ScriptError(_NOT_TALLIED, hint="use it on thermo steps")
         for letter, noun in (("e", "potential energy"), ("t", "temperature"), ("p", "press")):
             if letter in known.needs and letter not in self._uses:
@@ -170,7 +171,7 @@ class Thermo:
 
     def line(self) -> None:
         """Write the line of the current step."""
-        self._known = {}
+        self.sim.consumer += 1
         self._check_lost()
         cells = [self._format(k)(entry.value(self)) for k, entry in enumerate(self.columns)]
         self.sim.console.both(self.layout.row(self.names, cells, self.sim.step, self.cpu()))
