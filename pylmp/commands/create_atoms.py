@@ -7,6 +7,7 @@ from itertools import product
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.commands.create_box import describe
 from pylmp.kernels.random import RanPark
@@ -49,7 +50,7 @@ def create_atoms(sim: Simulation, args: Args) -> None:
             args.fail("Create_atoms single for 2d simulation requires z coord = 0.0", geometry[2])
         if options["remap"]:
             sim.box.remap(x, np.zeros((1, 3), np.int64))
-        keep = ((x >= sim.box.lo) & (x < sim.box.hi)).all(axis=1)
+        keep = _within(sim.box, x)
         x, types = x[keep], np.full(int(keep.sum()), kind)
     else:
         x, types = _sites(sim, args, geometry, options, kind)
@@ -109,18 +110,22 @@ def _sites(sim: Simulation, args: Args, geometry: list[Word], options: dict[str,
             types.append(options["basis"].get(site, kind))
     x, kinds = np.array(found).reshape(-1, 3), np.array(types, np.int64)
     keep = region.inside(x) if region else np.ones(len(x), bool)
-    for d, periodic in enumerate(box.periodic):
-        low, high = float(box.lo[d]), float(box.hi[d])
-        if periodic:
-            edge = (high - low) * _EDGE
-            low, high = low - edge, high - 2.0 * edge
-        keep &= (x[:, d] >= low) & (x[:, d] < high)
+    keep &= _within(box, x, _EDGE)
     return x[keep], kinds[keep]
+
+
+def _within(box: Box, x: Floats, edge: float = 0.0) -> NDArray[np.bool_]:
+    """(n,) bool: positions in the box; edge, of a length: a periodic box begins that far below its low face and ends twice that far
+    below its high face, so that one of two images on its faces is in."""
+    x, (lo, hi) = x.copy(), box.frame
+    box.enter(x)
+    margin = np.where(box.periodic, (hi - lo) * edge, 0.0)
+    return np.asarray(((x >= lo - margin) & (x < hi - 2.0 * margin)).all(axis=1))
 
 
 def _ranges(sim: Simulation, lattice: Any, region: Any) -> list[range]:
     """Cells whose sites may lie in the box and the region's extent."""
-    low, high = sim.box.lo.tolist(), sim.box.hi.tolist()
+    low, high = (corner.tolist() for corner in sim.box.brick(*sim.box.frame))
     if region is not None and region.bounds is not None:
         for d in range(3):
             low[d], high[d] = max(low[d], region.bounds[0][d]), min(high[d], region.bounds[1][d])
@@ -152,7 +157,7 @@ def _random(sim: Simulation, args: Args, geometry: list[Word], options: dict[str
         args.fail(f"Illegal create_atoms random seed {seed}", geometry[1], hint="a positive number")
     region = None if geometry[2].text == "NULL" else _region(sim, args, geometry[2])
     box: Box = sim.box
-    low, high = box.lo.tolist(), box.hi.tolist()
+    low, high = (corner.tolist() for corner in box.bounds)
     if region is not None and region.bounds is not None:
         for d in range(3):
             low[d], high[d] = max(low[d], region.bounds[0][d]), min(high[d], region.bounds[1][d])
@@ -169,6 +174,8 @@ def _random(sim: Simulation, args: Args, geometry: list[Word], options: dict[str
             if sim.dimension == 2:
                 point[2] = 0.0
             if region is not None and not region.inside(point[None])[0]:
+                continue
+            if box.triclinic and not _within(box, point[None])[0]:
                 continue
             if near2 > 0.0 and there:
                 away = box.minimum_image(point - np.array(there))

@@ -79,11 +79,10 @@ def _many(sim: Simulation, args: Args) -> None:
 
 def _pairs(sim: Simulation, bits: list[int], low: float, high: float) -> tuple[Ints, Ints]:
     """Rows of the atoms that store a new bond, and its other ends, in the order of LAMMPS's full neighbor list."""
-    cutoff = wrap_atoms(sim)
     atoms = sim.atoms
     ghosts, neighbors = Ghosts(sim), NeighborList(sim, FULL)
     prepare([*ghosts.functions(), *neighbors.functions()], sim.console.screen)
-    ghosts.build(sim, cutoff)
+    cutoff = wrap_atoms(sim, ghosts)
     neighbors.build(sim, cutoff)
     rows = np.repeat(np.arange(atoms.n), np.diff(neighbors.first))
     others = (neighbors.neighbors[: neighbors.count] & INDEX_MASK).astype(np.int64)

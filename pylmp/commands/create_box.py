@@ -8,14 +8,24 @@ from pylmp.model.atoms import Atoms
 from pylmp.model.box import Box
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
+from pylmp.model.triclinic import Triclinic
 from pylmp.text.number import eight
 from pylmp.text.words import Args
 
 
 def describe(box: Box) -> str:
-    """`orthogonal box = (0 0 0) to (4 5 6)`"""
-    low, high = (" ".join(eight(float(c)) for c in corner) for corner in (box.lo, box.hi))
+    """`orthogonal box = (0 0 0) to (4 5 6)`, `triclinic box = (0 0 0) to (4 5 6) with tilt (1 0 0)`"""
+    low, high, tilt = (" ".join(eight(float(c)) for c in triple) for triple in (box.lo, box.hi, box.tilt))
+    if box.triclinic:
+        return f"triclinic box = ({low}) to ({high}) with tilt ({tilt})"
     return f"orthogonal box = ({low}) to ({high})"
+
+
+def announce(sim: Simulation, prefix: str = "  ") -> None:
+    """Say what the box is, check and set it as LAMMPS does wherever a box begins or begins anew."""
+    sim.console.both(f"{prefix}{describe(sim.box)}\n")
+    sim.box.set_initial(sim.console)
+    sim.console.both("  1 by 1 by 1 MPI processor grid\n")
 
 
 @command("create_box")
@@ -31,17 +41,18 @@ def create_box(sim: Simulation, args: Args) -> None:
     if region.bounds is None:
         args.fail("Create_box region does not support a bounding box", name, hint="a region without side out")
     options = _options(sim, args)
-    low, high = region.bounds
+    low, high, tilt = region.cell or (*region.bounds, None)
     if sim.dimension == 2:
         if sim.boundary[2][0] != "p":
             args.fail("Cannot run 2d simulation with nonperiodic Z dimension", args.owner, hint="boundary x y p")
         if low[2] >= 0.0 or high[2] <= 0.0:
             args.fail("Create_box region zlo/zhi for 2d simulation must straddle 0.0", name)
-    box = Box(np.array(low), np.array(high), sim.boundary, sim.dimension)
-    sim.console.both(f"Created {describe(box)}\n")
-    box.set_initial()
-    sim.console.both("  1 by 1 by 1 MPI processor grid\n")
-    sim.box = box
+    lo, hi = np.array(low), np.array(high)
+    if tilt is None:
+        sim.box = Box(lo, hi, sim.boundary, sim.dimension)
+    else:
+        sim.box = Triclinic(lo, hi, sim.boundary, sim.dimension, np.array(tilt))
+    announce(sim, "Created ")
     sim.define_types(types, options["bond/types"])
     sim.extra_special = options["extra/special/per/atom"]
     sim.atoms = Atoms(options["extra/bond/per/atom"], 1 + sim.extra_special)

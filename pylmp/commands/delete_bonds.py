@@ -7,8 +7,9 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.io.ready import initialise, renew_ghosts, wrap_atoms
+from pylmp.io.ready import initialise, wrap_atoms
 from pylmp.model.bond import bond_pairs
+from pylmp.model.ghosts import Ghosts
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
@@ -45,9 +46,10 @@ def delete_bonds(sim: Simulation, args: Args) -> None:
         if word.text not in _KEYWORDS:
             args.illegal(word, hint=" ".join(_KEYWORDS))
     options = {word.text for word in words}
-    cutoff = wrap_atoms(sim)
-    if any(listed.memory for listed in sim.bond_lists):
-        renew_ghosts(sim, cutoff)
+    # IDs of new ghosts stay in the rows beyond the owned atoms, where the bond lists of the last run look when the next run
+    # takes over what they remember: like LAMMPS, it finds the bonds whose ends still are in the same rows.
+    wrap_atoms(sim, Ghosts(sim) if any(listed.memory for listed in sim.bond_lists) else None)
+    sim.atoms.clear_ghosts()
 
     if style.text != "stats" or "remove" in options:
         _change(sim, style.text, types, bit, options)

@@ -41,8 +41,11 @@ def displace_atoms(sim: Simulation, args: Args) -> None:
     chosen = (sim.atoms.mask[: sim.atoms.n] & bit) != 0
     {"move": _move, "random": _random, "ramp": _ramp}[style.text](sim, args, words, scale, chosen)
     atoms = sim.atoms
-    sim.box.remap(atoms.x[: atoms.n], atoms.image[: atoms.n])
-    sim.box.shrink(atoms.x[: atoms.n])
+    x = atoms.x[: atoms.n]
+    sim.box.remap(x, atoms.image[: atoms.n])
+    sim.box.enter(x)
+    sim.box.shrink(atoms)
+    sim.box.leave(x)
     atoms.clear_ghosts()
 
 

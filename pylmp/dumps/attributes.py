@@ -1,7 +1,7 @@
 """What dump custom can print of an atom. Source: LAMMPS manual, dump.html.
 
-Scaled coordinates are (x - lo)*(1/L); unwrapped ones x + image*L; of xsu LAMMPS loses the last digits by adding and
-subtracting 512, which is done here too.
+Scaled coordinates are (x - lo)*(1/L), fractions of the cell vectors in a triclinic box; unwrapped ones x + image*L; of xsu
+LAMMPS loses the last digits by adding and subtracting 512, which is done here too.
 """
 
 from __future__ import annotations
@@ -28,14 +28,18 @@ def _array(name: str, d: int | None = None) -> Callable[..., Any]:
 
 def _scaled(d: int) -> Callable[..., Any]:
     def values(sim: Simulation, rows: Ints, known: dict[Any, Any]) -> Any:
-        return (sim.atoms.x[rows, d] - sim.box.lo[d]) * (1.0 / sim.box.length[d])
+        if "fractions" not in known:
+            known["fractions"] = sim.box.fractions(sim.atoms.x[rows])
+        return known["fractions"][:, d]
 
     return values
 
 
 def _unwrapped(d: int) -> Callable[..., Any]:
     def values(sim: Simulation, rows: Ints, known: dict[Any, Any]) -> Any:
-        return sim.atoms.x[rows, d] + sim.atoms.image[rows, d] * sim.box.length[d]
+        if "unwrapped" not in known:
+            known["unwrapped"] = sim.box.unwrap(sim.atoms.x[rows], sim.atoms.image[rows])
+        return known["unwrapped"][:, d]
 
     return values
 

@@ -108,14 +108,17 @@ class Dump:
     def write(self, sim: Simulation) -> None:
         """Write the frame of the current step."""
         atoms = sim.atoms
-        kept = (atoms.x[: atoms.n].copy(), atoms.image[: atoms.n].copy()) if self.pbc else None
+        moving = atoms.x[: atoms.n], atoms.v[: atoms.n], atoms.image[: atoms.n]
+        kept = [array.copy() for array in moving] if self.pbc else []
         if kept:
-            sim.box.wrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
+            sim.box.enter(moving[0])
+            sim.box.wrap(atoms)
+            sim.box.leave(moving[0])
         try:
             frame = self._frame(sim)
         finally:
-            if kept:
-                atoms.x[: atoms.n], atoms.image[: atoms.n] = kept
+            for array, before in zip(moving, kept, strict=False):
+                array[:] = before
         self.file.write(sim.step, frame)
         self._last = sim.step
         self._next = self.next_step(sim.step)
@@ -147,8 +150,11 @@ class Dump:
             lines += ["ITEM: TIME", f"{sim.output.time():.16g}"]
         box = sim.box
         lines += ["ITEM: TIMESTEP", str(sim.step), f"ITEM: NUMBER OF {self.label}", str(count)]
-        lines.append("ITEM: BOX BOUNDS " + " ".join(low + high for low, high in box.boundary))
-        lines += [f"{low:<1.16e} {high:<1.16e}" for low, high in zip(box.lo.tolist(), box.hi.tolist(), strict=True)]
+        lines.append(
+            "ITEM: BOX BOUNDS " + "xy xz yz " * box.triclinic + " ".join(low + high for low, high in box.boundary)
+        )
+        table = np.stack([*box.bounds, box.tilt][: 2 + box.triclinic], axis=1)
+        lines += [" ".join(f"{value:<1.16e}" for value in row) for row in table.tolist()]
         names = " ".join(self.headers.get(k, field.name) for k, field in enumerate(self.fields))
         return "\n".join([*lines, f"ITEM: {self.label} {names}"]) + "\n"
 

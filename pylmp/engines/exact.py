@@ -73,7 +73,6 @@ class Run:
             f"  Time step     : {sim.dt:.8g}\n"
         )
         ghost_cutoff(sim, warn=True)
-        sim.box.deforming = any(fix.changes_box for fix in sim.fixes)
         self._rebuild(setup=True)
         warn_geometry(sim, self.ghosts)
         self.builds = self.dangerous = 0
@@ -145,7 +144,7 @@ class Run:
         return moved
 
     def _rebuild(self, setup: bool) -> None:
-        """Wrap, sort, ghosts, lists, in LAMMPS's order."""
+        """Wrap, sort, ghosts, lists, in LAMMPS's order; up to the ghosts in frame coordinates."""
         sim, atoms = self.sim, self.sim.atoms
         for listed in [] if setup else self.forces.bonds:
             listed.copy_back(sim)
@@ -153,8 +152,9 @@ class Run:
         if not setup:
             self._call("pre_exchange")
         atoms.clear_ghosts()
-        sim.box.wrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
-        sim.box.shrink(atoms.x[: atoms.n])
+        sim.box.enter(atoms.x[: atoms.n])
+        sim.box.wrap(atoms)
+        sim.box.shrink(atoms)
         remove_lost(sim)
         if sim.sort.every and sim.neighbor_cutoff > 0.0:
             if setup:
@@ -164,6 +164,7 @@ class Run:
         self.timers.stamp("Comm")
         cutoff = ghost_cutoff(sim)
         self.ghosts.build(sim, cutoff)
+        sim.box.leave(atoms.x[: atoms.total])
         self.timers.stamp("Comm")
         self.forces.rebuild(sim, cutoff)
         self.refresh = self.ghosts.bind_refresh(sim)

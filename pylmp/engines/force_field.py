@@ -43,7 +43,7 @@ class ForceField:
         self._sums = np.zeros(2)
         self._virial, self._pair_virial = np.zeros(6), np.zeros(6)
         self._held = np.zeros((0, 3))
-        self._held_box = np.zeros((2, 3))
+        self._held_box = sim.box.corners()
         self._limit2 = 0.0
 
     def prepare(self, sim: Simulation) -> None:
@@ -93,7 +93,7 @@ class ForceField:
             if first and len(self.bonds) > 1:
                 listed.misplace(sim, self.ghosts)
         self._held = atoms.x[: atoms.n].copy()
-        self._held_box = np.array([sim.box.lo, sim.box.hi])
+        self._held_box = sim.box.corners()
         self._bind(sim)
 
     def _bind(self, sim: Simulation) -> None:
@@ -158,7 +158,5 @@ class ForceField:
         box = sim.box
         if not (box.changing and any(box.periodic[: sim.dimension])):
             return self._moved_call() != 0.0
-        low, high = box.lo - self._held_box[0], box.hi - self._held_box[1]
-        near, far = (float(np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])) for d in (low, high))
-        delta = max(0.5 * (sim.neighbor.skin - (near + far)), 0.0)
+        delta = max(0.5 * (sim.neighbor.skin - box.travel(self._held_box)), 0.0)
         return kernel(self._moved).bind(sim.atoms.x, self._held, delta * delta, sim.atoms.n)() != 0.0

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.commands.create_box import describe
+from pylmp.commands.create_box import announce
 from pylmp.io.data_coeffs import Section, read_bond_coeffs, read_masses, read_pair_coeffs, warn_style
 from pylmp.io.data_file import DataFile, Header
 from pylmp.io.data_rows import read_atoms, read_bonds, read_velocities
@@ -76,9 +76,12 @@ class Reader:
             if self.bonds is None:
                 count = self.header.count("bonds")
                 file.fail(f"Bonds section for {count} bonds not found", self.header.lines["bonds"], "bonds")
-            self._announce_box()
+            announce(sim)
             self._store_bonds(*self.bonds)
-        sim.box.shrink(sim.atoms.x[: sim.atoms.n])
+        x = sim.atoms.x[: sim.atoms.n]
+        sim.box.enter(x)
+        sim.box.shrink(sim.atoms)
+        sim.box.leave(x)
         if sim.has_bonds:
             build_special(sim)
         sim.console.both("  read_data CPU = 0.000 seconds\n")
@@ -122,7 +125,7 @@ class Reader:
         types = header.count("atom types") + options.atom_types
         bond_types = header.count("bond types") + options.bond_types
         sim.box = Box(np.array(header.lo), np.array(header.hi), sim.boundary, sim.dimension)
-        self._announce_box()
+        announce(sim)
         sim.define_types(types, bond_types)
         slots = max(options.bond_per_atom, header.count("extra bond per atom"))
         sim.atoms = Atoms(slots if sim.has_bonds else 0, 1)
@@ -145,18 +148,12 @@ class Reader:
         if (lo < box.lo).any() or (hi > box.hi).any():
             sim.console.warning("Non-zero image flags with growing box can produce bad coordinates")
         box.lo, box.hi = lo, hi
-        self._announce_box()
+        announce(sim)
         tags, molecules = sim.atoms.tag[: self.old], sim.atoms.molecule[: self.old]
         if self.options.add == "append":
             self.id_offset, self.molecule_offset = int(tags.max(initial=0)), int(molecules.max(initial=0))
         elif isinstance(self.options.add, int):
             self.id_offset, self.molecule_offset = self.options.add, self.options.molecule_offset
-
-    def _announce_box(self) -> None:
-        sim = self.sim
-        sim.console.both(f"  {describe(sim.box)}\n")
-        sim.box.set_initial()
-        sim.console.both("  1 by 1 by 1 MPI processor grid\n")
 
     # ---- sections -----------------------------------------------------------------------------------------------
 

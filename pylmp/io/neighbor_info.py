@@ -30,7 +30,8 @@ def announce(sim: Simulation, requests: tuple[Request, ...]) -> None:
     settings = sim.neighbor
     reach = ghost_cutoff(sim, warn=True)
     size = 0.5 * cutoff
-    lengths = sim.box.length
+    low, high = sim.box.bounds
+    lengths = high - low
     bins = " ".join(str(math.ceil(float(length) / size)) for length in lengths)
     count = len(requests)
     occasional = sum(request.occasional for request in requests)
@@ -50,12 +51,13 @@ def announce(sim: Simulation, requests: tuple[Request, ...]) -> None:
 
 
 def _describe(sim: Simulation, number: int, request: Request) -> list[str]:
+    tilted = "/tri" if sim.box.triclinic else ""
     newton = "on" if sim.newton_pair else "off"
     only = "" if sim.has_bonds else "atomonly/"
     if request.full:
         build, stencil = f"full/bin/{only}".rstrip("/"), f"full/bin/{sim.dimension}d"
     elif sim.newton_pair:
-        build, stencil = f"half/bin/{only}newton", f"half/bin/{sim.dimension}d"
+        build, stencil = f"half/bin/{only}newton{tilted}", f"half/bin/{sim.dimension}d{tilted}"
     else:
         build, stencil = f"half/bin/{only}newtoff", f"full/bin/{sim.dimension}d"
     return [

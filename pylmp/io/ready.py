@@ -16,30 +16,26 @@ def initialise(sim: Simulation, *requests: Request) -> None:
         announce(sim, (*requests, Request(f"pair {sim.pair.style.name}")))
 
 
-def wrap_atoms(sim: Simulation) -> float:
-    """Atoms back into the box, shrink-wrapped faces to the atoms; atoms farther out are lost.
+def wrap_atoms(sim: Simulation, ghosts: Ghosts | None = None) -> float:
+    """Atoms back into the box, shrink-wrapped faces to the atoms; atoms farther out are lost. Then ghosts are made, if given.
 
     Returns the ghost cutoff, with LAMMPS's warnings about it.
     """
-    atoms = sim.atoms
+    atoms, box = sim.atoms, sim.box
+    if ghosts is not None:
+        prepare(ghosts.functions(), sim.console.screen)
     cutoff = ghost_cutoff(sim, warn=True)
     atoms.clear_ghosts()
-    sim.box.wrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
-    sim.box.shrink(atoms.x[: atoms.n])
-    x = atoms.x[: atoms.n]
-    if ((x < sim.box.lo) | (x >= sim.box.hi)).any():
+    box.enter(atoms.x[: atoms.n])
+    box.wrap(atoms)
+    box.shrink(atoms)
+    x, (lo, hi) = atoms.x[: atoms.n], box.frame
+    if ((x < lo) | (x >= hi)).any():
         for listed in sim.bond_lists:
             listed.copy_back(sim)
         sim.bond_lists = []  # they hold rows that become others'
         remove_lost(sim)
+    if ghosts is not None:
+        ghosts.build(sim, cutoff)
+    box.leave(atoms.x[: atoms.total])
     return cutoff
-
-
-def renew_ghosts(sim: Simulation, cutoff: float) -> None:
-    """Ghosts of the wrapped atoms. Their IDs stay in the rows beyond the owned atoms, where the bond lists of the last run look
-    when the next run takes over what they remember: like LAMMPS, it finds the bonds whose ends still are in the same rows.
-    """
-    ghosts = Ghosts(sim)
-    prepare(ghosts.functions(), sim.console.screen)
-    ghosts.build(sim, cutoff)
-    sim.atoms.clear_ghosts()

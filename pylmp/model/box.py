@@ -1,36 +1,66 @@
-"""The simulation box: faces, boundaries, wrapping, minimum image. Orthogonal boxes.
+"""The simulation box: faces, boundaries, wrapping, minimum image. Here the orthogonal one; triclinic.py has the tilted one.
 
 Every formula keeps LAMMPS's order of operations, so that coordinates agree to the last bit.
+
+Atoms are wrapped, sorted and copied to ghosts in *frame* coordinates, in which the box is a brick: x itself here, fractions of
+the cell vectors (LAMMPS's lamda) in a triclinic box. `enter` and `leave` change x in place; here they do nothing.
 """
 
 from __future__ import annotations
 
+from typing import ClassVar, Self
+
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.model.atoms import Floats, Ints
+from pylmp.model.atoms import Atoms, Floats, Ints
+from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
 
 SHRINK_MARGIN = 1.0e-4  # of the box length: how far a shrink-wrapped face stays outside the extreme atom
+Boundary = tuple[tuple[str, str], ...]
 
 
 class Box:
-    """lo, hi: (3,) float64 faces. boundary: three pairs of letters p f s m (low face, high face)."""
+    """lo, hi: (3,) float64 faces. tilt: (3,) xy xz yz, 0 here. boundary: three pairs of letters p f s m (low face, high face).
 
-    def __init__(self, lo: Floats, hi: Floats, boundary: tuple[tuple[str, str], ...], dimension: int) -> None:
+    rate, rate_group: how fast the six numbers of h change, and the group whose velocities change with it when they cross a
+    periodic face (fix deform remap v); rate_group 0: nobody's.
+    """
+
+    triclinic: ClassVar[bool] = False
+
+    def __init__(self, lo: Floats, hi: Floats, boundary: Boundary, dimension: int) -> None:
         self.lo = np.array(lo, float)
         self.hi = np.array(hi, float)
+        self.tilt = np.zeros(3)
         self.boundary = boundary
         self.dimension = dimension
         self.margin = np.zeros(3)
         self.least_lo = np.zeros(3)  # boundary m: the face never moves inside these
         self.least_hi = np.zeros(3)
         self.deforming = False  # a fix changes the box during the run
+        self.rate = np.zeros(6)
+        self.rate_group = 0
+
+    @classmethod
+    def of(cls, other: Box) -> Self:
+        """The same box, now of this kind."""
+        box = cls(other.lo, other.hi, other.boundary, other.dimension)
+        box.margin, box.least_lo, box.least_hi = other.margin, other.least_lo, other.least_hi
+        return box
+
+    # ---- what it is -----------------------------------------------------------------------------------------
 
     @property
     def length(self) -> Floats:
         """(3,) box lengths hi - lo."""
         return self.hi - self.lo
+
+    @property
+    def h(self) -> Floats:
+        """(6,) Lx Ly Lz yz xz xy, in LAMMPS's order."""
+        return np.array([*self.length, *self.tilt[::-1]])
 
     @property
     def periodic(self) -> tuple[bool, bool, bool]:
@@ -52,56 +82,143 @@ class Box:
         a, b, c = (float(q) for q in self.length)
         return a * b * c if self.dimension == 3 else a * b
 
-    def set_initial(self) -> None:
+    @property
+    def skewed(self) -> bool:
+        """A tilt is so large that LAMMPS warns."""
+        return False
+
+    @property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Lowest and highest corner of the brick around the box."""
+        return self.lo, self.hi
+
+    # ---- frame coordinates ------------------------------------------------------------------------------------
+
+    @property
+    def frame(self) -> tuple[Floats, Floats]:
+        """Low and high faces in frame coordinates."""
+        return self.lo, self.hi
+
+    def enter(self, x: Floats) -> None:
+        """x (n, 3) to frame coordinates, in place."""
+
+    def leave(self, x: Floats) -> None:
+        """Frame coordinates (n, 3) to x, in place."""
+
+    def frame_reach(self, cutoff: float) -> Floats:
+        """(3,) a distance between opposite faces, in frame coordinates."""
+        return np.full(3, cutoff)
+
+    def brick(self, lo: Floats, hi: Floats) -> tuple[Floats, Floats]:
+        """Lowest and highest corner of the part of space between lo and hi in frame coordinates."""
+        return lo, hi
+
+    def fractions(self, x: Floats) -> Floats:
+        """(n, 3) fractions of the box lengths."""
+        return (1.0 / self.length) * (x - self.lo)
+
+    def positions(self, fractions: Floats) -> Floats:
+        """(n, 3) positions of fractions of the box lengths."""
+        return self.length * fractions + self.lo
+
+    # ---- changes ----------------------------------------------------------------------------------------------
+
+    def place(self, lo: Floats, hi: Floats, tilt: Floats | None = None) -> None:
+        """Move the faces (and tilts of a triclinic box): the way in for all who change a box."""
+        self.lo[:], self.hi[:] = lo, hi
+
+    def set_initial(self, console: Console) -> None:
         """What LAMMPS does whenever the box is set: margins, and shrink-wrapped faces moved outward."""
         if np.any(self.lo >= self.hi):
             raise ScriptError("Box bounds are invalid or missing")
+        if self.skewed:
+            console.warning("Triclinic box skew is large. LAMMPS will run inefficiently.")
         self.margin = SHRINK_MARGIN * self.length
+        lo, hi = self.lo.copy(), self.hi.copy()
         for d, (low, high) in enumerate(self.boundary):
             if low == "s":
-                self.lo[d] -= self.margin[d]
+                lo[d] -= self.margin[d]
             elif low == "m":
-                self.least_lo[d] = self.lo[d]
+                self.least_lo[d] = lo[d]
             if high == "s":
-                self.hi[d] += self.margin[d]
+                hi[d] += self.margin[d]
             elif high == "m":
-                self.least_hi[d] = self.hi[d]
+                self.least_hi[d] = hi[d]
+        self.place(lo, hi)
 
-    def shrink(self, x: Floats) -> None:
-        """Move shrink-wrapped faces to the extreme atoms x (n, 3), plus the margin."""
-        if len(x) == 0:
-            return
+    def shrink(self, atoms: Atoms) -> None:
+        """Move shrink-wrapped faces to the extreme atoms, plus the margin. Atoms are in frame coordinates."""
+        if atoms.n and self.shrinking:
+            x = atoms.x[: atoms.n]
+            self._shrink_to(x.min(axis=0), x.max(axis=0))
+
+    def _shrink_to(self, least: Floats, most: Floats) -> None:
+        lo, hi = self.lo.copy(), self.hi.copy()
         for d, (low, high) in enumerate(self.boundary):
             if low in "sm":
-                face = float(x[:, d].min()) - self.margin[d]
-                self.lo[d] = face if low == "s" else min(face, self.least_lo[d])
+                face = least[d] - self.margin[d]
+                lo[d] = face if low == "s" else min(face, self.least_lo[d])
             if high in "sm":
-                face = float(x[:, d].max()) + self.margin[d]
-                self.hi[d] = face if high == "s" else max(face, self.least_hi[d])
+                face = most[d] + self.margin[d]
+                hi[d] = face if high == "s" else max(face, self.least_hi[d])
+        self.place(lo, hi)
 
-    def wrap(self, x: Floats, image: Ints) -> None:
-        """LAMMPS's pbc: periodic coordinates move by at most one box length a side, in place."""
+    def corners(self) -> Floats:
+        """(k, 3) the corners whose travel tells how far the box has moved."""
+        return np.array([self.lo, self.hi])
+
+    def travel(self, before: Floats) -> float:
+        """How far two corners moved together at most, since corners() was before."""
+        first = second = 0.0
+        for d in self.corners() - before:
+            far = float(np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]))
+            first, second = self._farthest(first, second, far)
+        return first + second
+
+    @staticmethod
+    def _farthest(first: float, second: float, far: float) -> tuple[float, float]:
+        return second, far
+
+    # ---- periodic images --------------------------------------------------------------------------------------
+
+    def wrap(self, atoms: Atoms) -> None:
+        """LAMMPS's pbc: periodic coordinates move by at most one box length a side, in place, in frame coordinates."""
+        x, image = atoms.x[: atoms.n], atoms.image[: atoms.n]
+        lows, highs = self.frame
         for d, periodic in enumerate(self.periodic):
             if not periodic:
                 continue
-            lo, hi = self.lo[d], self.hi[d]
+            lo, hi = lows[d], highs[d]
             length = hi - lo
             below = x[:, d] < lo
             if below.any():
                 x[below, d] += length
                 image[below, d] -= 1
+                self._cross(atoms, below, d, 1.0)
             above = x[:, d] >= hi
             if above.any():
                 x[above, d] -= length
                 x[above, d] = np.maximum(x[above, d], lo)
                 image[above, d] += 1
+                self._cross(atoms, above, d, -1.0)
+
+    def _cross(self, atoms: Atoms, rows: NDArray[np.bool_], d: int, sign: float) -> None:
+        """Who crosses a face of a flowing box takes on the velocity of the other side."""
+        if not self.rate_group:
+            return
+        rows = rows & ((atoms.mask[: atoms.n] & self.rate_group) != 0)
+        for k, entry in enumerate(((0,), (5, 1), (4, 3, 2))[d]):
+            atoms.v[: atoms.n][rows, k] += sign * self.rate[entry]
 
     def remap(self, x: Floats, image: Ints) -> None:
-        """LAMMPS's remap: wrap as often as it takes, in place."""
+        """LAMMPS's remap: wrap positions as often as it takes, in place."""
+        self._wrap_all(x, image, self.lo, self.hi)
+
+    def _wrap_all(self, x: Floats, image: Ints, lows: Floats, highs: Floats) -> None:
         for d, periodic in enumerate(self.periodic):
             if not periodic:
                 continue
-            lo, hi = self.lo[d], self.hi[d]
+            lo, hi = lows[d], highs[d]
             length = hi - lo
             while (out := x[:, d] < lo).any():
                 x[out, d] += length
@@ -111,9 +228,31 @@ class Box:
                 image[out, d] += 1
             x[:, d] = np.maximum(x[:, d], lo)
 
+    def near(self, new: Floats, old: Floats) -> None:
+        """LAMMPS's remap_near: new (n, 3) to its periodic image within half a box length of old, in place."""
+        self._bring_near(new, old, self.length)
+
+    def _bring_near(self, new: Floats, old: Floats, lengths: Floats) -> None:
+        for d, periodic in enumerate(self.periodic):
+            if not periodic:
+                continue
+            length = float(lengths[d])
+            half = 0.5 * length
+            for sign in (1.0, -1.0):
+                gap = sign * (new[:, d] - old[:, d])
+                far = gap > length
+                if far.any():
+                    new[far, d] -= sign * ((gap[far] / length).astype(np.int64) * length)
+                while (out := sign * (new[:, d] - old[:, d]) > half).any():
+                    new[out, d] -= sign * length
+
     def unwrap(self, x: Floats, image: Ints) -> Floats:
         """(n, 3) coordinates with image flags undone: x + image*L."""
         return x + image * self.length
+
+    def unmap(self, x: Floats, image: Ints) -> None:
+        """The same in place; in a triclinic box its last digits differ from unwrap's."""
+        x += image * self.length
 
     def minimum_image(self, delta: Floats) -> Floats:
         """(n, 3) separations moved to their nearest periodic image; strict > half, as often as it takes."""

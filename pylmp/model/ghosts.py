@@ -47,9 +47,10 @@ class Ghosts:
 
     def __init__(self, sim: Simulation) -> None:
         self.velocity = sim.ghost_velocity
-        periodic = sim.box.periodic
-        self._borders = loops.borders(periodic, sim.dimension)
-        self._refresh = loops.refresh(self.velocity)
+        box = sim.box
+        flow = bool(box.rate_group)
+        self._borders = loops.borders(box.periodic, sim.dimension, flow)
+        self._refresh = loops.refresh(self.velocity, box.triclinic, flow)
         self._reverse = loops.reverse()
         self._index = loops.index()
         self.swaps = np.zeros(2, np.int64)
@@ -61,10 +62,11 @@ class Ghosts:
         return [self._borders, self._refresh, self._reverse, self._index]
 
     def build(self, sim: Simulation, cutoff: float) -> None:
-        """Make ghosts anew; grows arrays until they fit."""
+        """Make ghosts anew, in frame coordinates; grows arrays until they fit."""
         atoms, box = sim.atoms, sim.box
         atoms.clear_ghosts()
-        pairs = sum(2 * (int(cutoff / length) + 1) for length in box.length)
+        (lo, hi), reach = box.frame, box.frame_reach(cutoff)
+        pairs = sum(2 * (int(near / length) + 1) for near, length in zip(reach, hi - lo, strict=True))
         if len(self.swaps) < pairs + 2:
             self.swaps = np.zeros(pairs + 2, np.int64)
         atoms.reserve(atoms.n + 1)
@@ -72,7 +74,7 @@ class Ghosts:
             self._fit(atoms.capacity)
             total = kernel(self._borders).bind(
                 atoms.x, atoms.v, atoms.tag, atoms.type, atoms.mask, self.source, self.axis, self.sign, self.swaps,
-                box.lo, box.hi, cutoff, atoms.n, atoms.capacity,
+                lo, hi, reach, box.rate, box.rate_group, atoms.n, atoms.capacity,
             )()  # fmt: skip
             if total >= 0.0:
                 break
@@ -94,8 +96,9 @@ class Ghosts:
     def bind_refresh(self, sim: Simulation) -> Callable[[], float]:
         atoms, box = sim.atoms, sim.box
         return kernel(self._refresh).bind(
-            atoms.x, atoms.v, self.source, self.axis, self.sign, box.lo, box.hi, atoms.n, atoms.total
-        )
+            atoms.x, atoms.v, atoms.mask, self.source, self.axis, self.sign, box.lo, box.hi, box.h, box.rate,
+            box.rate_group, atoms.n, atoms.total,
+        )  # fmt: skip
 
     def bind_reverse(self, sim: Simulation) -> Callable[[], float]:
         return kernel(self._reverse).bind(sim.atoms.f, self.source, self.swaps)

@@ -14,20 +14,21 @@ if TYPE_CHECKING:
 
 
 def remove_lost(sim: Simulation) -> None:
-    """Drop owned atoms beyond the faces, as LAMMPS's exchange does: the last atom moves into the hole.
+    """Drop owned atoms beyond the faces, as LAMMPS's exchange does: the last atom moves into the hole. In frame coordinates.
 
     In periodic directions these are atoms more than one box length away, since wrapping moves by one at most.
     """
-    atoms, box = sim.atoms, sim.box
+    atoms = sim.atoms
+    lo, hi = sim.box.frame
     for d in range(3):
         x = atoms.x[: atoms.n, d]
-        if not ((x < box.lo[d]) | (x >= box.hi[d])).any():
+        if not ((x < lo[d]) | (x >= hi[d])).any():
             continue
         order = list(range(atoms.n))
         i = 0
         while i < len(order):
             c = float(atoms.x[order[i], d])
-            if c < box.lo[d] or c >= box.hi[d]:
+            if c < lo[d] or c >= hi[d]:
                 order[i] = order[-1]
                 order.pop()
             else:
@@ -45,14 +46,13 @@ def warn_geometry(sim: Simulation, ghosts: Ghosts) -> None:
     if not len(rows):
         return
     atoms, box = sim.atoms, sim.box
-    periodic = np.array(box.periodic)
     d = box.minimum_image(atoms.x[rows] - atoms.x[partners])
     unwrapped = box.unwrap(atoms.x[rows], atoms.image[rows]) - box.unwrap(atoms.x[partners], atoms.image[partners])
     if np.any(np.abs(unwrapped - d) > 0.5 * box.length):
         sim.console.warning("Inconsistent image flags")
     listed = [entry for bonds in sim.bond_lists for entry in (bonds.bonds[: bonds.count],)]
     for bonds in listed:
-        apart = np.abs(atoms.x[bonds[:, 0]] - atoms.x[bonds[:, 1]])
-        if np.any((apart > 0.5 * box.length) & periodic):
+        apart = atoms.x[bonds[:, 0]] - atoms.x[bonds[:, 1]]
+        if np.any(box.minimum_image(apart) != apart):
             sim.console.warning("Bond/angle/dihedral extent > half of periodic box length")
             return

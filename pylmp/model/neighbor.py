@@ -12,6 +12,8 @@ from pylmp.kernels.store import kernel
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
+    from pylmp.model.atoms import Floats
+    from pylmp.model.box import Box
     from pylmp.model.simulation import Simulation
 
 _SMALL = 1.0e-6  # of the box length: how far beyond the ghosts the grid reaches
@@ -35,21 +37,23 @@ class Grid:
 
     def __init__(self, sim: Simulation, cutoff: float, ghost_cutoff: float) -> None:
         box = sim.box
+        lows, highs = box.bounds
+        from_, to = self._reached(box, ghost_cutoff)
         count, low, size, reach = [1, 1, 1], [-1, -1, -1], [3, 3, 3], [0, 0, 0]
         self.width = [1.0, 1.0, 1.0]
         inverse = [1.0, 1.0, 1.0]
         per_bin = 1.0 / (0.5 * cutoff)
         for d in range(sim.dimension):
-            lo, hi = float(box.lo[d]), float(box.hi[d])
+            lo, hi = float(lows[d]), float(highs[d])
             length = hi - lo
             count[d] = max(1, int(length * per_bin))
             self.width[d] = length / count[d]
             inverse[d] = 1.0 / self.width[d]
-            edge = lo - ghost_cutoff - _SMALL * length
+            edge = float(from_[d]) - _SMALL * length
             first = int((edge - lo) * inverse[d])
             if edge < lo:
                 first -= 1
-            last = int((hi + ghost_cutoff + _SMALL * length - lo) * inverse[d])
+            last = int((float(to[d]) + _SMALL * length - lo) * inverse[d])
             low[d], size[d] = first - 1, last + 1 - (first - 1) + 1
             reach[d] = int(cutoff * inverse[d])
             if reach[d] * self.width[d] < cutoff:
@@ -60,6 +64,12 @@ class Grid:
         self.numbers = np.array(count + low + size, np.int64)
         self.inverse = np.array(inverse)
         self.bins = size[0] * size[1] * size[2]
+
+    @staticmethod
+    def _reached(box: Box, ghost_cutoff: float) -> tuple[Floats, Floats]:
+        """Lowest and highest corner of the space where ghosts may be."""
+        (lo, hi), reach = box.frame, box.frame_reach(ghost_cutoff)
+        return box.brick(lo - reach, hi + reach)
 
     def stencil(self, half: bool) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
         """[rows, first, last, first, last, ...]: runs of bins near a bin, relative to it, in LAMMPS's order.
@@ -95,7 +105,9 @@ class NeighborList:
         self.policy = np.array(kinds, np.int64)
         one_cutoff = bool((sim.pair.cut[1:, 1:] == sim.pair.cut[1, 1]).all())
         self._bins = loops.bins(sim.dimension)
-        self._list = loops.listing(mode, one_cutoff, weighted, sim.box.periodic)
+        if mode == loops.HALF and sim.box.triclinic:
+            self.mode = loops.HALF_TRICLINIC
+        self._list = loops.listing(self.mode, one_cutoff, weighted, sim.box.periodic, 0.01 * sim.units.angstrom)
         self.first = np.zeros(1, np.int64)
         self.neighbors = np.zeros(1024, np.int32)
         self._grid: tuple[tuple[float, ...], Grid, np.ndarray[tuple[int], np.dtype[np.int64]]] | None = None
@@ -115,7 +127,7 @@ class NeighborList:
         grid, rows = self._geometry(sim, ghost_cutoff)
         bin_of, member, at, place = self._fit(atoms.capacity, grid.bins)
         lost = kernel(self._bins).bind(
-            atoms.x, box.lo, box.hi, grid.inverse, grid.numbers, bin_of, self._start, member, at, atoms.total
+            atoms.x, *box.bounds, grid.inverse, grid.numbers, bin_of, self._start, member, at, atoms.total
         )()
         if lost < 0.0:
             row = int(-1.0 - lost)
@@ -143,7 +155,8 @@ class NeighborList:
             raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
 
     def _geometry(self, sim: Simulation, ghost_cutoff: float) -> tuple[Grid, np.ndarray[tuple[int], np.dtype[np.int64]]]:
-        key = (*map(float, sim.box.lo), *map(float, sim.box.hi), sim.neighbor_cutoff, ghost_cutoff)
+        box = sim.box
+        key = (*map(float, (*box.lo, *box.hi, *box.tilt)), sim.neighbor_cutoff, ghost_cutoff)
         if self._grid is None or self._grid[0] != key:
             grid = Grid(sim, sim.neighbor_cutoff, ghost_cutoff)
             self._grid = key, grid, grid.stencil(self.mode == loops.HALF)

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 BIG = 1.0e20
-Extent = tuple[tuple[float, float, float], tuple[float, float, float]]
+Corner = tuple[float, float, float]
+Extent = tuple[Corner, Corner]
 
 
 class Region:
@@ -25,6 +26,7 @@ class Region:
     """
 
     extent: Extent | None = None
+    cell: tuple[Corner, Corner, Corner] | None = None  # lo, hi and tilts of the box that create_box makes of it, if tilted
     outside = False
 
     def contains(self, x: Floats) -> NDArray[np.bool_]:

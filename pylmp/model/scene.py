@@ -24,6 +24,7 @@ class Scene:
 
     dimension: int
     periodic: tuple[bool, bool, bool]
+    triclinic: bool
     newton_pair: bool
     newton_bond: bool
     atom_types: int
@@ -42,6 +43,7 @@ def state(sim: Simulation) -> Scene:
     return Scene(
         dimension=sim.dimension,
         periodic=sim.box.periodic,
+        triclinic=sim.box.triclinic,
         newton_pair=sim.newton_pair,
         newton_bond=sim.newton_bond,
         atom_types=sim.atom_types,

@@ -164,6 +164,8 @@ class Simulation:
                 raise ScriptError(
                     f"Not all per-type masses are set. Type {kind} is missing.", hint=f"mass {kind} 1.0", manual="mass.html"
                 )
+        self.box.deforming = any(fix.changes_box for fix in self.fixes)
+        self.box.rate_group = 0  # unless fix deform gives one
         for fix in self.fixes:
             if hasattr(fix, "init"):
                 fix.init(self)

@@ -19,17 +19,19 @@ class Sorter:
         self.next = 0
         self._counts: Ints = np.ones(3, np.int64)
         self._inverse: Floats = np.ones(3)
+        self._low: Floats = np.zeros(3)
 
     def lay_out(self, sim: Simulation) -> None:
         size = sim.sort.bin_size or 0.5 * sim.neighbor_cutoff
         per_bin = 1.0 / size
+        self._low, high = sim.box.brick(*sim.box.frame)
         for d in range(3):
-            length = float(sim.box.hi[d] - sim.box.lo[d])
+            length = float(high[d] - self._low[d])
             self._counts[d] = 1 if d == 2 and sim.dimension == 2 else max(1, int(length * per_bin))
             self._inverse[d] = self._counts[d] / length
 
     def sort(self, sim: Simulation) -> None:
-        """Stable sort of the owned atoms by bin, x fastest."""
+        """Stable sort of the owned atoms by bin, x fastest. They are in frame coordinates."""
         every = sim.sort.every
         self.next = (sim.step // every) * every + every
         if sim.box.changing:
@@ -37,7 +39,10 @@ class Sorter:
         if int(np.prod(self._counts)) == 1:
             return
         atoms = sim.atoms
-        cell = ((atoms.x[: atoms.n] - sim.box.lo) * self._inverse).astype(np.int64)
+        x = atoms.x[: atoms.n]
+        sim.box.leave(x)
+        cell = ((x - self._low) * self._inverse).astype(np.int64)
+        sim.box.enter(x)
         cell = np.minimum(np.maximum(cell, 0), self._counts - 1)
         key = (cell[:, 2] * self._counts[1] + cell[:, 1]) * self._counts[0] + cell[:, 0]
         atoms.permute(np.argsort(key, kind="stable"))

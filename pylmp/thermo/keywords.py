@@ -100,6 +100,30 @@ def _face(side: str, d: int) -> Value:
     return lambda t: float(getattr(t.sim.box, side)[d])
 
 
+def _tilt(k: int) -> Value:
+    return lambda t: float(t.sim.box.tilt[k])
+
+
+def _cell_b(t: Thermo) -> float:
+    h = t.sim.box.h
+    return math.sqrt(h[1] * h[1] + h[5] * h[5])
+
+
+def _cell_c(t: Thermo) -> float:
+    h = t.sim.box.h
+    return math.sqrt(h[2] * h[2] + h[3] * h[3] + h[4] * h[4])
+
+
+def _angle(cosine: Value) -> Value:
+    """In degrees; 90 of an orthogonal box."""
+    return lambda t: math.acos(cosine(t)) * 180.0 / math.pi if t.sim.box.triclinic else 90.0
+
+
+def _cos_alpha(t: Thermo) -> float:
+    h = t.sim.box.h
+    return float((h[5] * h[4] + h[1] * h[3]) / _cell_b(t) / _cell_c(t))
+
+
 def _spacing(d: int) -> Value:
     return lambda t: float(t.sim.spacing[d])
 
@@ -156,9 +180,9 @@ KEYWORDS: dict[str, Keyword] = {
     "yhi": Keyword("Yhi", _face("hi", 1)),
     "zlo": Keyword("Zlo", _face("lo", 2)),
     "zhi": Keyword("Zhi", _face("hi", 2)),
-    "xy": Keyword("Xy", _zero),
-    "xz": Keyword("Xz", _zero),
-    "yz": Keyword("Yz", _zero),
+    "xy": Keyword("Xy", _tilt(0)),
+    "xz": Keyword("Xz", _tilt(1)),
+    "yz": Keyword("Yz", _tilt(2)),
     "xlat": Keyword("Xlat", _spacing(0)),
     "ylat": Keyword("Ylat", _spacing(1)),
     "zlat": Keyword("Zlat", _spacing(2)),
@@ -167,11 +191,11 @@ KEYWORDS: dict[str, Keyword] = {
     "dihedrals": Keyword("Diheds", _zero, whole=True),
     "impropers": Keyword("Impros", _zero, whole=True),
     "cella": Keyword("Cella", _length(0)),
-    "cellb": Keyword("Cellb", _length(1)),
-    "cellc": Keyword("Cellc", _length(2)),
-    "cellalpha": Keyword("CellAlpha", _constant(90.0)),
-    "cellbeta": Keyword("CellBeta", _constant(90.0)),
-    "cellgamma": Keyword("CellGamma", _constant(90.0)),
+    "cellb": Keyword("Cellb", _cell_b),
+    "cellc": Keyword("Cellc", _cell_c),
+    "cellalpha": Keyword("CellAlpha", _angle(_cos_alpha)),
+    "cellbeta": Keyword("CellBeta", _angle(lambda t: float(t.sim.box.h[4] / _cell_c(t)))),
+    "cellgamma": Keyword("CellGamma", _angle(lambda t: float(t.sim.box.h[5] / _cell_b(t)))),
     "pxx": Keyword("Pxx", _stress(0), needs="p"),
     "pyy": Keyword("Pyy", _stress(1), needs="p"),
     "pzz": Keyword("Pzz", _stress(2), needs="p"),

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pylmp.kernels.kinds import Function
 
 
-def borders(periodic: tuple[bool, bool, bool], dimension: int) -> Function:
-    """Make the ghosts.
+def borders(periodic: tuple[bool, bool, bool], dimension: int, flow: bool) -> Function:
+    """Make the ghosts, in frame coordinates. flow: velocities change across a periodic face of a box that flows.
 
     For each periodic direction pairs of swaps: first copies of atoms near the low face, moved up by a box length, then
     near the high face, moved down. Later pairs of a direction copy only what the pair before made.
@@ -14,9 +14,9 @@ def borders(periodic: tuple[bool, bool, bool], dimension: int) -> Function:
 
     def make_ghosts(
         x: "f8*", v: "f8*", tag: "i8*", type_: "i8*", mask: "i8*", source: "i8*", axis: "i8*", sign: "f8*",
-        swaps: "i8*", lo: "f8*", hi: "f8*", cutoff: "f8", n: "i8", capacity: "i8",
+        swaps: "i8*", lo: "f8*", hi: "f8*", cutoff: "f8*", rate: "f8*", group: "i8", n: "i8", capacity: "i8",
     ) -> "f8":
-        """Fill ghost rows; swaps[0] = number of swaps, swaps[1 + k] = first row of swap k. Returns owned + ghosts, -1: no room."""
+        """cutoff: (3,). Fill ghost rows; swaps[0] = number of swaps, swaps[1 + k] = first row of swap k. Returns owned + ghosts, -1: no room."""
         total = n
         count = 0
         for d in range(dimension):
@@ -26,7 +26,7 @@ def borders(periodic: tuple[bool, bool, bool], dimension: int) -> Function:
             middle = 0.5 * (lo[d] + hi[d])
             first = 0
             last = total
-            for q in range(2 * (int(cutoff / length) + 1)):
+            for q in range(2 * (int(cutoff[d] / length) + 1)):
                 low = q % 2 == 0
                 if low:
                     if q > 0:
@@ -38,9 +38,9 @@ def borders(periodic: tuple[bool, bool, bool], dimension: int) -> Function:
                 for i in range(first, last):
                     c = x[3 * i + d]
                     if low:
-                        near = c <= lo[d] + cutoff and (q < 2 or c >= middle)
+                        near = c <= lo[d] + cutoff[d] and (q < 2 or c >= middle)
                     else:
-                        near = c >= hi[d] - cutoff and (q < 2 or c <= middle)
+                        near = c >= hi[d] - cutoff[d] and (q < 2 or c <= middle)
                     if near:
                         if total >= capacity:
                             return -1.0
@@ -48,6 +48,8 @@ def borders(periodic: tuple[bool, bool, bool], dimension: int) -> Function:
                             x[3 * total + k] = x[3 * i + k]
                             v[3 * total + k] = v[3 * i + k]
                         x[3 * total + d] += shift * length
+                        if flow and mask[i] & group != 0:
+                            cross(v, 3 * total, d, shift, rate)
                         tag[total] = tag[i]
                         type_[total] = type_[i]
                         mask[total] = mask[i]
@@ -73,23 +75,48 @@ def index() -> Function:
     return index_tags
 
 
-def refresh(velocity: bool) -> Function:
-    """Ghosts follow their source; a source may itself be a ghost, refreshed before."""
+def cross(v: "f8*", at: int, d: int, sign: float, rate: "f8*") -> None:
+    """The velocity (v[at] and the two after it) of an image beyond face d; rate: of the box's xx yy zz yz xz xy."""
+    if d == 0:
+        v[at] += sign * rate[0]
+    elif d == 1:
+        v[at] += sign * rate[5]
+        v[at + 1] += sign * rate[1]
+    else:
+        v[at] += sign * rate[4]
+        v[at + 1] += sign * rate[3]
+        v[at + 2] += sign * rate[2]
+
+
+def refresh(velocity: bool, triclinic: bool, flow: bool) -> Function:
+    """Ghosts follow their source; a source may itself be a ghost, refreshed before. triclinic: a shift has several components."""
 
     def refresh_ghosts(
-        x: "f8*", v: "f8*", source: "i8*", axis: "i8*", sign: "f8*", lo: "f8*", hi: "f8*", n: "i8", total: "i8"
+        x: "f8*", v: "f8*", mask: "i8*", source: "i8*", axis: "i8*", sign: "f8*", lo: "f8*", hi: "f8*", h: "f8*",
+        rate: "f8*", group: "i8", n: "i8", total: "i8",
     ) -> "f8":
+        """h: (6,) of a triclinic box, xx yy zz yz xz xy."""
         for g in range(n, total):
             s = 3 * source[g]
             d = axis[g]
             x[3 * g] = x[s]
             x[3 * g + 1] = x[s + 1]
             x[3 * g + 2] = x[s + 2]
-            x[3 * g + d] += sign[g] * (hi[d] - lo[d])
+            if triclinic:
+                x[3 * g + d] += sign[g] * h[d]
+                if d == 1:
+                    x[3 * g] += sign[g] * h[5]
+                elif d == 2:
+                    x[3 * g] += sign[g] * h[4]
+                    x[3 * g + 1] += sign[g] * h[3]
+            else:
+                x[3 * g + d] += sign[g] * (hi[d] - lo[d])
             if velocity:
                 v[3 * g] = v[s]
                 v[3 * g + 1] = v[s + 1]
                 v[3 * g + 2] = v[s + 2]
+                if flow and mask[g] & group != 0:
+                    cross(v, 3 * g, d, sign[g], rate)
         return 0.0
 
     return refresh_ghosts

@@ -9,7 +9,7 @@ from __future__ import annotations
 from pylmp.kernels.exact import SPECIAL_SHIFT
 from pylmp.kernels.kinds import Function
 
-HALF, HALF_OWNED, FULL = "half", "half, newton off", "full"
+HALF, HALF_OWNED, FULL, HALF_TRICLINIC = "half", "half, newton off", "full", "half, triclinic"
 
 
 def bins(dimension: int) -> Function:
@@ -54,15 +54,18 @@ def bins(dimension: int) -> Function:
     return fill_bins
 
 
-def listing(mode: str, one_type: bool, weighted: bool, periodic: tuple[bool, bool, bool]) -> Function:
+def listing(mode: str, one_type: bool, weighted: bool, periodic: tuple[bool, bool, bool], near: float) -> Function:
     """Compose the list kernel.
 
     mode      HALF: each pair once, own bin first, then the upper half of the stencil;
-              HALF_OWNED: newton pair off, each pair of owned atoms once and every owned-ghost pair; FULL: both directions
+              HALF_OWNED: newton pair off, each pair of owned atoms once and every owned-ghost pair; FULL: both directions;
+              HALF_TRICLINIC: each pair once, over all bins, owned-ghost pairs by their IDs
     one_type  one cutoff for all pairs
     weighted  some bonded neighbors are scaled or left out
+    near      coordinates of an atom and its own image that differ by less count as equal in a triclinic box
     """
-    half, owned, full = mode == HALF, mode == HALF_OWNED, mode == FULL
+    half, full, triclinic = mode == HALF, mode == FULL, mode == HALF_TRICLINIC
+    once = mode in (HALF_OWNED, HALF_TRICLINIC)
     px, py, pz = periodic
 
     def kind_of(tag: int, num: "i8*", special: "i8*", i: int, wide: int) -> int:
@@ -72,6 +75,18 @@ def listing(mode: str, one_type: bool, weighted: bool, periodic: tuple[bool, boo
                     return 1
                 return 2 if q < num[3 * i + 1] else 3
         return 0
+
+    def mine(tag: "i8*", i: int, j: int, dx: float, dy: float, dz: float) -> bool:
+        """Triclinic: does the pair of owned i and ghost j belong to i? Else to the owned atom behind j and an image of i."""
+        if tag[i] > tag[j]:
+            return (tag[i] + tag[j]) % 2 != 0
+        if tag[i] < tag[j]:
+            return (tag[i] + tag[j]) % 2 == 0
+        if abs(dz) > near:
+            return dz <= 0.0
+        if abs(dy) > near:
+            return dy <= 0.0
+        return dx <= 0.0
 
     def list_neighbors(
         x: "f8*", type_: "i8*", tag: "i8*", bin_of: "i8*", start: "i8*", member: "i8*", at: "i8*", place: "f8*",
@@ -112,8 +127,10 @@ def listing(mode: str, one_type: bool, weighted: bool, periodic: tuple[bool, boo
                         take = r2 <= single
                     else:
                         take = r2 <= cut2[ti + type_[j]]
-                    if owned:
+                    if once:
                         take = take and j > i
+                        if triclinic and take and j >= n:
+                            take = mine(tag, i, j, dx, dy, dz)
                     elif full:
                         take = take and j != i
                     if half and r < 0 and take and j >= n:
