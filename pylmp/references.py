@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pylmp.model.compute import current
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.formula import Clock
@@ -57,10 +58,9 @@ class Scope:
 
     def _entry(self, source: Any, what: str, name: str, index: Sequence[int]) -> float:
         kind = ("scalar", "vector", "array")[min(len(index), 2)]
-        method = getattr(source, kind, None)
-        if method is None:
+        if getattr(source, kind, None) is None:
             raise FormulaError(f"Mismatched {what} in variable formula")
-        value = method(self._sim)
+        value = current(self._sim, source, kind)
         _positive(index)
         for at in index:
             if not 1 <= at <= len(value):

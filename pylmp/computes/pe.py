@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pylmp.model.asking import ENERGY
 from pylmp.model.compute import Compute
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
@@ -15,7 +16,7 @@ _NOTHING_HERE = ("angle", "dihedral", "improper", "kspace")
 class PotentialEnergy(Compute):
     style = "pe"
     extensive_scalar = True
-    needs_tally = True
+    tallies = ENERGY
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
@@ -30,7 +31,7 @@ class PotentialEnergy(Compute):
         self.parts = parts or ["pair", "bond", "fix"]
 
     def scalar(self, sim: Simulation) -> float:
-        if not sim.tally.current(sim.step):
+        if not sim.tally.has(ENERGY, sim.step):
             raise ScriptError("Energy was not tallied on needed timestep", hint="use it on thermo steps")
         energy = 0.0
         if "pair" in self.parts:

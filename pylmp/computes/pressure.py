@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pylmp.model.asking import VIRIAL
 from pylmp.model.atoms import Floats
 from pylmp.model.compute import Compute
 from pylmp.model.registry import COMPUTES
@@ -21,7 +22,8 @@ _NOTHING_HERE = ("angle", "dihedral", "improper", "kspace")
 @COMPUTES.register("pressure")
 class Pressure(Compute):
     style = "pressure"
-    needs_tally = True
+    length = 6
+    tallies = VIRIAL
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
@@ -56,7 +58,7 @@ class Pressure(Compute):
 
     def virial(self, sim: Simulation) -> Floats:
         """(6,) xx yy zz xy xz yz of the parts asked for."""
-        if not sim.tally.current(sim.step):
+        if not sim.tally.has(VIRIAL, sim.step):
             raise ScriptError("Virial was not tallied on needed timestep", hint="use it on thermo steps")
         result = np.zeros(6)
         for name, values in (("pair", sim.tally.pair_virial), ("bond", sim.tally.bond_virial)):
@@ -83,8 +85,7 @@ class Pressure(Compute):
             if d == 3:
                 total = total + float(w[2])
         else:
-            t = temp.value if temp.invoked == sim.step else temp.scalar(sim)
-            total = temp.dof(sim) * sim.units.boltz * t + float(w[0]) + float(w[1])
+            total = temp.dof(sim) * sim.units.boltz * temp.at_step(sim, "scalar") + float(w[0]) + float(w[1])
             if d == 3:
                 total = total + float(w[2])
         return total / float(d) * inverse * sim.units.nktv2p
@@ -93,7 +94,7 @@ class Pressure(Compute):
         w = self.virial(sim)
         temp = self._temp(sim)
         inverse = 1.0 / sim.box.volume
-        whole = w if temp is None else temp.vector(sim) + w
+        whole = w if temp is None else temp.at_step(sim, "vector") + w
         result = whole * inverse * sim.units.nktv2p
         if sim.dimension == 2:
             result[[2, 4, 5]] = 0.0

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from pylmp.model.atoms import Floats
-from pylmp.model.compute import Compute
+from pylmp.model.compute import Compute, current
 from pylmp.model.reference import expand
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
@@ -127,7 +127,7 @@ class Reduce(Compute):
             raise ScriptError(f"{'Compute' if kind == 'c' else 'Fix'} ID {name} for compute reduce does not exist")
         if sim.step % getattr(source, "compatible_every", 1):
             raise ScriptError(f"Fix {name} used in compute reduce not computed at compatible time")
-        values = source.local(sim) if self.local_inputs else source.per_atom(sim)
+        values = current(sim, source, "local" if self.local_inputs else "per_atom")
         if column:
             values = values[:, column - 1]
         return np.asarray(values if self.local_inputs else values[self.members(sim)])

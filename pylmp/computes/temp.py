@@ -19,22 +19,19 @@ from pylmp.text.words import Args
 @COMPUTES.register("temp")
 class Temp(Compute):
     style = "temp"
+    length = 6
     extensive_vector = True
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
         if len(args):
             args.illegal(args.peek())
-        self.invoked = -1
-        self.value = 0.0
 
     def dof(self, sim: Simulation) -> float:
         return temperature_dof(sim, self.members(sim))
 
     def scalar(self, sim: Simulation) -> float:
-        self.value = temperature_of(sim, self.members(sim), self.dof(sim))
-        self.invoked = sim.step
-        return self.value
+        return temperature_of(sim, self.members(sim), self.dof(sim))
 
     def vector(self, sim: Simulation) -> Floats:
         """(6,) sum(m v_a v_b): xx yy zz xy xz yz."""

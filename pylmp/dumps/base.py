@@ -23,6 +23,7 @@ class Dump:
     every, first, delay   when frames are written: multiples of every from delay on; first: also when a run begins
     sort    "" as stored, "id", or a column number from 1, negative for descending
     formats headers       the user's, by column from 0; for_whole, for_real, for_line: for all columns
+    due     the step of the next frame
     pbc     periodic coordinates are wrapped for the frame
     """
 
@@ -45,7 +46,7 @@ class Dump:
         self.for_whole: Format | None = None
         self.for_real: Format | None = None
         self.for_line: list[Format] = []
-        self._last = self._next = -1
+        self._last = self.due = -1
         self._units_written = False
         self.read(sim, args)
 
@@ -64,6 +65,11 @@ class Dump:
 
     def setting(self, sim: Simulation, args: Args, key: Word) -> bool:
         """A dump_modify keyword of this style alone; False: not one."""
+        return False
+
+    @property
+    def measures(self) -> bool:
+        """It evaluates computes or variables."""
         return False
 
     @property
@@ -92,18 +98,29 @@ class Dump:
         step = sim.step
         due = step % self.every == 0 and self._last != step
         if (due or (self.first and self._last < 0)) and step >= self.delay:
-            self.write(sim)
-        self._next = self.next_step(step)
+            self.write_due(sim)
+            return
+        self.due = self.next_step(step)
+        if self.measures:
+            sim.asking.everyone(self.due)
 
     def next_step(self, step: int) -> int:
         """The first step after step that is due."""
         step = max(step + 1, self.delay)
         return -(-step // self.every) * self.every
 
-    def is_due(self, step: int) -> bool:
-        return step == self._next and step != self._last
-
     # ---- a frame --------------------------------------------------------------------------------------------
+
+    def write_due(self, sim: Simulation) -> None:
+        """Write the frame of the current step in a block of its own, unless it was written; schedule the next one."""
+        if self._last == sim.step:
+            return
+        if self.measures:
+            sim.asking.block()
+        self.write(sim)
+        self.due = self.next_step(sim.step)
+        if self.measures:
+            sim.asking.again(self.due)
 
     def write(self, sim: Simulation) -> None:
         """Write the frame of the current step."""
@@ -121,7 +138,6 @@ class Dump:
                 array[:] = before
         self.file.write(sim.step, frame)
         self._last = sim.step
-        self._next = self.next_step(sim.step)
 
     def close(self) -> None:
         self.file.close()

@@ -11,6 +11,7 @@ from pylmp.dumps.attributes import ATTRIBUTES, NOT_ALLOCATED
 from pylmp.dumps.base import Dump
 from pylmp.dumps.frame import Field
 from pylmp.model.atoms import Ints
+from pylmp.model.compute import current
 from pylmp.model.reference import Reference, expand, length, offers, parse
 from pylmp.model.registry import DUMPS
 from pylmp.model.simulation import Simulation
@@ -55,6 +56,10 @@ class DumpCustom(Dump):
         if style is None:
             args.fail(f"Could not find dump custom variable name {found.name}", word)
         args.fail(f"Dump custom variable {found.name} is not atom-style variable", word)
+
+    @property
+    def measures(self) -> bool:
+        return bool(self.sources)
 
     def rows(self, sim: Simulation, known: dict[Any, Any]) -> Ints:
         known["elements"] = np.array(["", *(self.elements or ["C"] * sim.atom_types)], dtype=object)
@@ -105,7 +110,7 @@ def _per_atom(sim: Simulation, args: Args, word: Word, found: Reference) -> Call
     def values(sim: Simulation, rows: Ints, known: dict[Any, Any]) -> Any:
         key = (found.kind, name)
         if key not in known:
-            known[key] = found.source(sim).per_atom(sim)
+            known[key] = current(sim, found.source(sim), "per_atom")
         return known[key][rows] if not found.index else known[key][rows, found.index[0] - 1]
 
     return values

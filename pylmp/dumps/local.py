@@ -13,6 +13,7 @@ import numpy as np
 from pylmp.dumps.base import Dump
 from pylmp.dumps.frame import WHOLE, Field
 from pylmp.model.atoms import Ints
+from pylmp.model.compute import current
 from pylmp.model.reference import Reference, expand, length, offers, parse
 from pylmp.model.registry import DUMPS
 from pylmp.model.simulation import Simulation
@@ -45,12 +46,16 @@ class DumpLocal(Dump):
     def label(self) -> str:
         return self.title
 
+    @property
+    def measures(self) -> bool:
+        return bool(self.sources)
+
     def rows(self, sim: Simulation, known: dict[Any, Any]) -> Ints:
         sizes = set()
         for found in self.sources:
             key = (found.kind, found.name)
             if key not in known:
-                known[key] = found.source(sim).local(sim)
+                known[key] = current(sim, found.source(sim), "local")
             sizes.add(len(known[key]))
         if len(sizes) > 1:
             raise ScriptError("Dump local count is not consistent across input fields", hint="one dump for each list")

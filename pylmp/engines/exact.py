@@ -78,7 +78,7 @@ class Run:
         self.builds = self.dangerous = 0
         for hook in hooks(sim.fixes, "setup_pre_force"):
             hook(sim)
-        self._forces(tally=True, setup=True)
+        self._forces(sim.asking.take(sim.step), setup=True)
         for hook in hooks(sim.fixes, "setup"):
             hook(sim)
         sim.output.setup(sim)
@@ -99,7 +99,7 @@ class Run:
             timers.stamp("Neigh")
             self.refresh()
             timers.stamp("Comm")
-        self._forces(tally=sim.output.reads(sim), setup=False)
+        self._forces(sim.asking.take(sim.step), setup=False)
         self._call("post_force")
         self._call("final_integrate")
         self._call("end_of_step")
@@ -112,7 +112,7 @@ class Run:
                 continue
             hook(sim)
 
-    def _forces(self, tally: bool, setup: bool) -> None:
+    def _forces(self, wanted: int, setup: bool) -> None:
         sim, timers = self.sim, self.timers
         self.forces.clear(sim)
         if not setup:
@@ -120,9 +120,9 @@ class Run:
                 self.breaks.clear_flags(sim, self.forces.neighbors, self.ghosts)
             self._call("pre_force")
             timers.stamp("Modify")
-        self.forces.pairs(sim, tally)
+        self.forces.pairs(sim, wanted)
         timers.stamp("Pair")
-        self.forces.bonded(sim, tally, setup, self.breaks)
+        self.forces.bonded(sim, wanted, setup, self.breaks)
         timers.stamp("Bond")
         if sim.newton_pair or sim.newton_bond:
             self.reverse()

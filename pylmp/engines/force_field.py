@@ -130,25 +130,26 @@ class ForceField:
     def clear(self, sim: Simulation) -> None:
         sim.atoms.f[: sim.atoms.total] = 0.0
 
-    def pairs(self, sim: Simulation, tally: bool) -> None:
+    def pairs(self, sim: Simulation, wanted: int) -> None:
+        """wanted: what to sum besides forces (ENERGY | VIRIAL), 0 for nothing."""
         self._pair_virial[:] = 0.0
-        energy = self._pair_calls[tally]() if self._pair_calls else 0.0
+        energy = self._pair_calls[bool(wanted)]() if self._pair_calls else 0.0
         self._sums[1] = energy
-        if tally:
-            sim.tally.step = sim.step
+        if wanted:
+            sim.tally.step, sim.tally.wanted = sim.step, wanted
 
-    def bonded(self, sim: Simulation, tally: bool, setup: bool, breaks: Breaks) -> None:
+    def bonded(self, sim: Simulation, wanted: int, setup: bool, breaks: Breaks) -> None:
         """Bonds of each style in turn; then what breaks is booked."""
         energy = 0.0
         virial = np.zeros(6)
         for listed, calls in zip(self.bonds, self._bond_calls, strict=True):
             self._virial[:] = 0.0
-            broken = calls[tally, not setup or listed.part.style.breaks_in_setup]()
+            broken = calls[bool(wanted), not setup or listed.part.style.breaks_in_setup]()
             energy += self._sums[0]
             virial += self._virial
             if broken:
                 breaks.record(sim, listed, int(broken))
-        if tally:
+        if wanted:
             sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
             sim.tally.pair_virial[:] = self._pair_virial.tolist()
             sim.tally.bond_virial[:] = virial.tolist()

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar
+import functools
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,29 +13,45 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
     from pylmp.text.words import Args
 
+KINDS = ("scalar", "vector", "array", "per_atom", "local")
+
 
 class Compute:
     """Base of every compute style. A subclass defines what it offers:
 
     scalar(sim) -> float
-    vector(sim) -> (k,) float64
-    per_atom(sim) -> (n,) or (n, k) float64 over owned atoms in local order (0 outside the group)
-    local(sim) -> (rows,) or (rows, k) float64
+    vector(sim) -> (k,) float64; length: k
+    array(sim) -> (k, m) float64; length: k, columns: m
+    per_atom(sim) -> (n,) or (n, k) float64 over owned atoms in local order (0 outside the group); columns: k, 0 for a vector
+    local(sim) -> (rows,) or (rows, k) float64; columns
+
+    Consumers call current(sim, compute, kind), so that it is evaluated once in a block (model/asking.py). Calling a method
+    evaluates anew; both note the step and the value.
 
     extensive_scalar, extensive_vector  thermo divides them by the number of atoms when norm is on
-    needs_tally  it reads energies or virial, which the engine sums only on steps that ask for them
+    tallies    what the engine must sum on the steps that ask for it: ENERGY | VIRIAL | ATOM_ENERGY | ATOM_VIRIAL
+    invoked    kind -> (step, value) of the last evaluation of this run
+    evaluated  kind -> value of the current block
     """
 
     style: ClassVar[str] = ""
     extensive_scalar = False
     extensive_vector = False
-    needs_tally = False
+    tallies = 0
     ready = False  # a run was set up since its definition
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         self.id = identity
         self.group = group
         self.bit = bit
+        self.invoked: dict[str, tuple[int, Any]] = {}
+        self.evaluated: dict[str, Any] = {}
+
+    def __init_subclass__(cls) -> None:
+        """Every evaluation is noted, whoever asks for it."""
+        for kind in KINDS:
+            if callable(measure := vars(cls).get(kind)):
+                setattr(cls, kind, _noting(kind, measure))
 
     def init(self, sim: Simulation) -> None:
         """Called at the start of every run."""
@@ -41,3 +59,27 @@ class Compute:
     def members(self, sim: Simulation) -> NDArray[np.bool_]:
         """(n,) bool: the owned atoms of this compute's group."""
         return (sim.atoms.mask[: sim.atoms.n] & self.bit) != 0
+
+    def at_step(self, sim: Simulation, kind: str) -> Any:
+        """Its value of the current step: that of an earlier evaluation at this step, else a new one."""
+        step, value = self.invoked.get(kind, (-1, None))
+        return value if step == sim.step else getattr(self, kind)(sim)
+
+
+def _noting(kind: str, measure: Callable[..., Any]) -> Callable[..., Any]:
+    @functools.wraps(measure)
+    def method(self: Compute, sim: Simulation) -> Any:
+        value = measure(self, sim)
+        self.invoked[kind] = sim.step, value
+        return value
+
+    return method
+
+
+def current(sim: Simulation, source: Any, kind: str) -> Any:
+    """What a compute or fix is worth in the current block: a compute is evaluated at most once."""
+    if not isinstance(source, Compute):
+        return getattr(source, kind)(sim)
+    if kind not in source.evaluated:
+        source.evaluated[kind] = getattr(source, kind)(sim)
+    return source.evaluated[kind]

@@ -32,7 +32,6 @@ class Fix:
     extensive_scalar extensive_vector   thermo divides them by the number of atoms when norm is on
     length        components of its vector
     compatible_every   what it offers is current on multiples of this step count only
-    reads         the step at which it next reads energies or virial, which the engine sums only when somebody will
     """
 
     style: ClassVar[str] = ""
@@ -46,7 +45,6 @@ class Fix:
     extensive_vector: bool = False
     in_energy = in_virial = False
     compatible_every: int = 1
-    reads: int = -1
     every: int = 1
     internal = False  # made by a style, not by a fix command
 
@@ -63,11 +61,9 @@ class Fix:
     @contextmanager
     def reading(self, sim: Simulation, following: int) -> Iterator[None]:
         """Around the evaluation of variables and computes: what is read now will be read again at step following."""
-        sim.consumer += 1
-        sim.tally.read = -1
+        sim.asking.block()
         yield
-        if sim.tally.read == sim.step:
-            self.reads = following
+        sim.asking.again(following)
 
     def members(self, sim: Simulation) -> Any:
         """(n,) bool: the owned atoms of this fix's group."""

@@ -91,30 +91,33 @@ class Output:
         """Write what is due before the first step of a run: dump frames, header, first thermo line."""
         for dump in self.dumps.values():
             dump.setup(sim)
+        sim.asking.block()
         self.thermo.begin(memory=self._with_setup)
-        self._schedule(sim)
+        self._schedule_thermo(sim)
+        self._find_due()
         sim.console.flush()
         self.started = (time.perf_counter(), time.process_time())
 
     def write(self, sim: Simulation) -> None:
         """Write what is due at sim.step: dump frames, then the thermo line."""
         for dump in self.dumps.values():
-            if dump.is_due(sim.step):
-                dump.write(sim)
+            if dump.due == sim.step:
+                dump.write_due(sim)
         if sim.step == self._thermo_due:
+            sim.asking.block()
             self.thermo.line()
-        self._schedule(sim)
+            self._schedule_thermo(sim)
+        self._find_due()
 
-    def _schedule(self, sim: Simulation) -> None:
-        step = sim.step
-        following = (step // self.every + 1) * self.every if self.every else self.last
+    def _schedule_thermo(self, sim: Simulation) -> None:
+        """When the next line is due; what this one evaluated is wanted again then."""
+        following = (sim.step // self.every + 1) * self.every if self.every else self.last
         self._thermo_due = min(following, self.last)
-        self._due = min([self._thermo_due, *(dump.next_step(step) for dump in self.dumps.values())])
+        sim.asking.again(self._thermo_due)
+
+    def _find_due(self) -> None:
+        self._due = min([self._thermo_due, *(dump.due for dump in self.dumps.values())])
 
     def due(self, sim: Simulation) -> bool:
         """Something is to be written at sim.step."""
         return sim.step == self._due
-
-    def reads(self, sim: Simulation) -> bool:
-        """Somebody reads energies or virial at sim.step: output is due, or a fix measures."""
-        return sim.step == self._due or any(fix.reads == sim.step for fix in sim.fixes)

@@ -54,14 +54,9 @@ def offers(source: Any, values: str) -> bool:
 def length(sim: Simulation, source: Any, values: str) -> int:
     """How many components the vector of a compute or fix has, or columns its per_atom or local table (0: a plain vector)."""
     if values == "vector":
-        return int(source.length) if hasattr(source, "length") else len(source.vector(sim)) if _cheap(source) else 6
+        return int(source.length)
     columns = int(getattr(source, "columns", 0))
     return 0 if columns == 1 else columns
-
-
-def _cheap(source: Any) -> bool:
-    """A fix keeps its vector; a compute's might not be measurable yet. Temperature and pressure have six components."""
-    return not hasattr(source, "needs_tally")
 
 
 def expand(sim: Simulation, args: Args, words: Sequence[Word], values: str) -> list[Word]:

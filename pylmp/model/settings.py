@@ -47,22 +47,24 @@ class SpecialSettings:
         return self.lj != (1.0, 1.0, 1.0) or self.coul != (1.0, 1.0, 1.0)
 
 
+ENERGY, VIRIAL, ATOM_ENERGY, ATOM_VIRIAL = 1, 2, 4, 8  # what a step may have to sum
+
+
 @dataclass
 class Tally:
-    """Energies and virials of the last step that asked for them. Virials are (6,) xx yy zz xy xz yz.
+    """Energies and virials of the last steps that asked for them. Virials are (6,) xx yy zz xy xz yz.
 
-    step    which they belong to
-    read    the last step at which somebody wanted them
+    wanted           what the last force evaluation summed: ENERGY | VIRIAL | ATOM_ENERGY | ATOM_VIRIAL
+    step             of that evaluation
     """
 
     step: int = -1
-    read: int = -1
+    wanted: int = 0
     pair: float = 0.0
     bond: float = 0.0
     pair_virial: list[float] = field(default_factory=lambda: [0.0] * 6)
     bond_virial: list[float] = field(default_factory=lambda: [0.0] * 6)
 
-    def current(self, step: int) -> bool:
-        """Somebody wants those of step: are these they?"""
-        self.read = step
-        return self.step == step
+    def has(self, what: int, step: int) -> bool:
+        """Was what (ENERGY, ...) summed at step?"""
+        return self.step == step and bool(self.wanted & what)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pylmp.model.asking import Asking
 from pylmp.model.atoms import Atoms
 from pylmp.model.box import Box
 from pylmp.model.checks import check_integration, check_neighbor_settings
@@ -35,6 +36,7 @@ class Simulation:
     fixes computes     in order of definition
     regions lattice    by ID; the lattice in force
     step dt            current step, timestep size
+    asking             which computes are wanted at which steps
     tally              energies and virials of the last step that summed them
     report             RunReport of the last run, None before
     engine             who carries out runs
@@ -74,12 +76,12 @@ class Simulation:
         self.lattice: Any = None
         self.fixes: list[Fix] = []
         self._computes: dict[str, Compute] | None = None
+        self.asking = Asking(self)
         self.output = Output(self)
         self.step = 0
         self.dt = self.units.dt
         self.begin = self.end = 0  # steps that ramps of the current run refer to
         self.tally = Tally()
-        self.consumer = 0  # counts those who read computes: each of them evaluates anew
         self.report: Any = None
         self.lists: Any = None  # the engine's ghosts and neighbor lists of the last run
         self.ran = False  # a run was set up before
@@ -172,6 +174,7 @@ class Simulation:
         for compute in self.computes.values():
             compute.init(self)
             compute.ready = True
+        self.asking.init(self.step)
         check_integration(self)
         check_neighbor_settings(self)
         self.output.init(self)

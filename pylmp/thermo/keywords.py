@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.model.asking import ENERGY
 from pylmp.model.sums import total
 from pylmp.text.diagnostic import ScriptError
 
@@ -24,7 +25,8 @@ Value = Callable[["Thermo"], float]
 
 @dataclass(frozen=True)
 class Keyword:
-    """whole: an integer column. needs: letters of t (temperature), p (pressure), e (energy), r (a run in progress)."""
+    """whole: an integer column. needs, in the order of evaluation: letters of t (temperature), p (pressure), s (its tensor), e
+    (potential energy), r (a run in progress)."""
 
     header: str
     value: Value
@@ -57,7 +59,7 @@ def _pair(t: Thermo) -> float:
 
 
 def _tail(t: Thermo) -> float:
-    if not t.sim.tally.current(t.sim.step):
+    if not t.sim.tally.has(ENERGY, t.sim.step):
         raise ScriptError("Energy was not tallied on needed timestep for thermo keyword etail", hint="use it on thermo steps")
     return t.per_atom(t.sim.pair.tails(t.sim)[0] / t.sim.box.volume) if t.sim.pair else 0.0
 
@@ -155,7 +157,7 @@ KEYWORDS: dict[str, Keyword] = {
     "press": Keyword("Press", lambda t: t.pressure(), needs="p"),
     "pe": Keyword("PotEng", _pe, needs="e"),
     "ke": Keyword("KinEng", _ke, needs="t"),
-    "etotal": Keyword("TotEng", _etotal, needs="et"),
+    "etotal": Keyword("TotEng", _etotal, needs="te"),
     "evdwl": Keyword("E_vdwl", _pair, needs="e"),
     "ecoul": Keyword("E_coul", _zero, needs="e"),
     "epair": Keyword("E_pair", _pair, needs="e"),
@@ -166,9 +168,9 @@ KEYWORDS: dict[str, Keyword] = {
     "emol": Keyword("E_mol", _bond, needs="e"),
     "elong": Keyword("E_long", _zero, needs="e"),
     "etail": Keyword("E_tail", _tail),
-    "enthalpy": Keyword("Enthalpy", _enthalpy, needs="etp"),
+    "enthalpy": Keyword("Enthalpy", _enthalpy, needs="tpe"),
     "ecouple": Keyword("Ecouple", _couple),
-    "econserve": Keyword("Econserve", lambda t: _etotal(t) + _couple(t), needs="et"),
+    "econserve": Keyword("Econserve", lambda t: _etotal(t) + _couple(t), needs="te"),
     "vol": Keyword("Volume", lambda t: t.sim.box.volume),
     "density": Keyword("Density", _density),
     "lx": Keyword("Lx", _length(0)),
@@ -196,12 +198,12 @@ KEYWORDS: dict[str, Keyword] = {
     "cellalpha": Keyword("CellAlpha", _angle(_cos_alpha)),
     "cellbeta": Keyword("CellBeta", _angle(lambda t: float(t.sim.box.h[4] / _cell_c(t)))),
     "cellgamma": Keyword("CellGamma", _angle(lambda t: float(t.sim.box.h[5] / _cell_b(t)))),
-    "pxx": Keyword("Pxx", _stress(0), needs="p"),
-    "pyy": Keyword("Pyy", _stress(1), needs="p"),
-    "pzz": Keyword("Pzz", _stress(2), needs="p"),
-    "pxy": Keyword("Pxy", _stress(3), needs="p"),
-    "pxz": Keyword("Pxz", _stress(4), needs="p"),
-    "pyz": Keyword("Pyz", _stress(5), needs="p"),
+    "pxx": Keyword("Pxx", _stress(0), needs="s"),
+    "pyy": Keyword("Pyy", _stress(1), needs="s"),
+    "pzz": Keyword("Pzz", _stress(2), needs="s"),
+    "pxy": Keyword("Pxy", _stress(3), needs="s"),
+    "pxz": Keyword("Pxz", _stress(4), needs="s"),
+    "pyz": Keyword("Pyz", _stress(5), needs="s"),
     "nbuild": Keyword("Nbuild", _lists("builds"), whole=True),
     "ndanger": Keyword("Ndanger", _lists("dangerous"), whole=True),
     "fmax": Keyword("Fmax", _force_max),

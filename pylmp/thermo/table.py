@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from typing import Any
 
 from pylmp.io.run_log import memory_line
+from pylmp.model.asking import ENERGY
 from pylmp.model.atoms import Floats
+from pylmp.model.compute import current
 from pylmp.model.reference import Reference, expand, offers
 from pylmp.model.simulation import Simulation
 from pylmp.model.variables import Variables
@@ -46,8 +47,6 @@ class Thermo:
         self.temp, self.press, self.pe = "thermo_temp", "thermo_press", "thermo_pe"
         self.modified = False
         self.variables = Variables(sim)
-        self._known: dict[tuple[str, str, str], Any] = {}
-        self._known_at = (-1, 0)
         self._paces: dict[str, tuple[float, float]] = {}
         self._uses = ""  # what the columns of the last run needed
         self.columns: list[Column] = []
@@ -57,36 +56,34 @@ class Thermo:
 
     def measure(self, found: Reference, values: str, at: int | None = None) -> float:
         """A scalar, or component at of a vector, of a compute or fix, per atom where it is extensive and norm is on."""
-        result = self._evaluate(found.kind, found.name, values)
+        result = current(self.sim, found.source(self.sim), values)
         number = float(result) if at is None else (float(result[at]) if at < len(result) else 0.0)
         extensive = getattr(found.source(self.sim), f"extensive_{values}", False)
         return self.per_atom(number) if extensive else number
 
-    def _evaluate(self, kind: str, name: str, values: str) -> Any:
-        """Each compute is evaluated once for each consumer of a step, as LAMMPS does."""
-        now = self.sim.step, self.sim.consumer
-        if self._known_at != now:
-            self._known, self._known_at = {}, now
-        key = (kind, name, values)
-        if key not in self._known:
-            source = Reference(kind, name, ()).source(self.sim)
-            self._known[key] = getattr(source, values)(self.sim)
-        return self._known[key]
-
     def temperature(self) -> float:
-        return float(self._evaluate("c", self.temp, "scalar"))
+        return float(current(self.sim, self.sim.computes[self.temp], "scalar"))
 
     def pressure(self) -> float:
-        return float(self._evaluate("c", self.press, "scalar"))
+        return float(current(self.sim, self.sim.computes[self.press], "scalar"))
 
     def pressure_tensor(self) -> Floats:
         """(6,) xx yy zz xy xz yz."""
-        tensor: Floats = self._evaluate("c", self.press, "vector")
+        tensor: Floats = current(self.sim, self.sim.computes[self.press], "vector")
         return tensor
 
     def potential(self) -> float:
         """Potential energy of the whole system."""
-        return float(self._evaluate("c", self.pe, "scalar"))
+        return float(current(self.sim, self.sim.computes[self.pe], "scalar"))
+
+    def _invoke(self, entry: Column) -> None:
+        """Evaluate the computes a column rests on."""
+        measures = {"t": self.temperature, "p": self.pressure, "s": self.pressure_tensor, "e": self.potential}
+        for letter in entry.needs:
+            if letter in measures:
+                measures[letter]()
+        if entry.reference is not None and entry.reference.kind == "c":
+            entry.value(self)
 
     def dof(self) -> float:
         """Degrees of freedom of the temperature."""
@@ -128,10 +125,10 @@ class Thermo:
             raise ScriptError(f"Invalid thermo keyword '{keyword}' in variable formula", manual="thermo_style.html")
         if "r" in known.needs and not self.sim.output.running:
             raise ScriptError(f"The variable thermo keyword {keyword} cannot be used between runs")
-        if "e" in known.needs and not self.sim.tally.current(self.sim.step):
+        if "e" in known.needs and not self.sim.tally.has(ENERGY, self.sim.step):
             raise ScriptError(_NOT_TALLIED, hint="use it on thermo steps")
         for letter, noun in (("e", "potential energy"), ("t", "temperature"), ("p", "press")):
-            if letter in known.needs and letter not in self._uses:
+            if letter in known.needs.replace("s", "p") and letter not in self._uses:
                 raise ScriptError(
                     f"Thermo keyword {keyword} in variable requires thermo to use/init {noun}",
                     hint="thermo_style custom with that keyword",
@@ -143,10 +140,9 @@ class Thermo:
     # ---- lines ----------------------------------------------------------------------------------------------
 
     def init(self) -> None:
-        """Everything the columns name is still there; values of earlier runs are forgotten."""
-        self._known = {}
+        """Everything the columns name is still there."""
         self._paces = {}
-        self._uses = "".join(entry.needs for entry in self.columns)
+        self._uses = "".join(entry.needs for entry in self.columns).replace("s", "p")
         for entry in self.columns:
             found = entry.reference
             if found is None:
@@ -170,10 +166,17 @@ class Thermo:
         self.line()
 
     def line(self) -> None:
-        """Write the line of the current step."""
-        self.sim.consumer += 1
+        """Write the line of the current step. As in LAMMPS computes are evaluated first, then variables, then the rest."""
         self._check_lost()
-        cells = [self._format(k)(entry.value(self)) for k, entry in enumerate(self.columns)]
+        for entry in self.columns:
+            self._invoke(entry)
+        variables = {
+            k: entry.value(self)
+            for k, entry in enumerate(self.columns)
+            if entry.reference is not None and entry.reference.kind == "v"
+        }
+        values = [variables[k] if k in variables else entry.value(self) for k, entry in enumerate(self.columns)]
+        cells = [self._format(k)(value) for k, value in enumerate(values)]
         self.sim.console.both(self.layout.row(self.names, cells, self.sim.step, self.cpu()))
         if self.flush:
             self.sim.console.flush()
