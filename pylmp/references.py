@@ -50,6 +50,8 @@ class Scope:
         found = next((fix for fix in self._sim.fixes if fix.id == name), None)
         if found is None:
             raise ScriptError(f"Invalid fix ID '{name}' in variable formula", hint="define it first")
+        if self._sim.step % found.compatible_every:
+            raise FormulaError("Fix in variable not computed at a compatible time")
         return self._entry(found, "fix", name, index)
 
     def _need_box(self) -> None:

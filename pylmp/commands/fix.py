@@ -27,6 +27,8 @@ def fix(sim: Simulation, args: Args) -> None:
     if place is not None and sim.fixes[place].style != style.text:
         args.fail("Replacing a fix, but new style != old style", style, hint=f"unfix {identity.text} first")
     inner = Args(f"fix {style.text}", args.rest(), style, f"fix_{style.text.replace('/', '_')}.html")
+    if place is not None:
+        sim.fixes[place].removed(sim)
     new = kind(sim, identity.text, group.text, bit, inner)
     if place is None:
         sim.fixes.append(new)

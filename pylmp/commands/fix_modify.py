@@ -26,17 +26,7 @@ def fix_modify(sim: Simulation, args: Args) -> None:
             if value and not getattr(fix, f"has_{key.text}"):
                 args.fail(f"Fix {fix.id} {fix.style} does not support fix_modify {key.text} command", key)
             setattr(fix, f"in_{key.text}", value)
-        elif key.text == "temp" and fix.couples:
-            args.need(1, key.text)
-            name = args.word()
-            found = sim.computes.get(name.text)
-            if found is None:
-                args.fail(f"Could not find fix_modify temperature compute ID: {name.text}", name)
-            if found.style != "temp":
-                args.fail(f"Fix_modify temperature compute {name.text} does not compute temperature", name)
-            if found.bit != fix.bit:
-                sim.console.warning(f"Group for fix_modify temp != fix group: {found.group} vs {fix.group}")
-        else:
+        elif not fix.modify(sim, args, key):
             args.fail(
                 f"Fix {fix.id} {fix.style} does not support fix_modify {key.text} command", key, hint="energy yes|no"
             )

@@ -19,3 +19,4 @@ def unfix(sim: Simulation, args: Args) -> None:
             f"Could not find fix ID {word.text} to delete", word, hint=f"fixes: {' '.join(f.id for f in sim.fixes)}"
         )
     sim.fixes.remove(found)
+    found.removed(sim)

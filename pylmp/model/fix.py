@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
-    from pylmp.text.words import Args
+    from pylmp.text.words import Args, Word
 
 # A fix defines only those it wants, each as hook(self, sim). The engine calls them in this order:
 SETUP_HOOKS = ("init", "setup_pre_force", "setup")
@@ -53,6 +53,13 @@ class Fix:
         self.id = identity
         self.group = group
         self.bit = bit
+
+    def removed(self, sim: Simulation) -> None:
+        """It was deleted, or another takes its place: undo what its definition made."""
+
+    def modify(self, sim: Simulation, args: Args, key: Word) -> bool:
+        """Carry out a fix_modify keyword of this style alone, taking its words; False: not one."""
+        return False
 
     def functions(self) -> list[Any]:
         """Kernels it will call, so that a run can compile all it needs at once. It binds them in post_neighbor."""

@@ -25,6 +25,15 @@ def center_of_mass_velocity(sim: Simulation, chosen: Chosen) -> Floats:
     return np.array([total(v[:, d] * m) / whole for d in range(3)])
 
 
+def center_of_mass(sim: Simulation, chosen: Chosen) -> Floats:
+    """(3,) sum(m x)/M of unwrapped positions; 0 without atoms."""
+    atoms = sim.atoms
+    m = sim.masses()[chosen]
+    x = sim.box.unwrap(atoms.x[: atoms.n][chosen], atoms.image[: atoms.n][chosen])
+    whole = total(m)
+    return np.array([total(x[:, d] * m) / whole if whole > 0.0 else 0.0 for d in range(3)])
+
+
 def temperature_dof(sim: Simulation, chosen: Chosen) -> float:
     """dimension*N - dimension."""
     return float(sim.dimension * int(chosen.sum()) - sim.dimension)
@@ -46,8 +55,7 @@ def remove_rotation(sim: Simulation, chosen: Chosen) -> None:
     m = sim.masses()[chosen]
     v = atoms.v[: atoms.n][chosen]
     x = sim.box.unwrap(atoms.x[: atoms.n][chosen], atoms.image[: atoms.n][chosen])
-    whole = total(m)
-    center = np.array([total(x[:, d] * m) / whole for d in range(3)])
+    center = center_of_mass(sim, chosen)
     a, b, c = (x[:, d] - center[d] for d in range(3))
     momentum = (
         total(m * (b * v[:, 2] - c * v[:, 1])), total(m * (c * v[:, 0] - a * v[:, 2])), total(m * (a * v[:, 1] - b * v[:, 0])),

@@ -143,14 +143,18 @@ class Thermo:
         """Everything the columns name is still there."""
         self._paces = {}
         self._uses = "".join(entry.needs for entry in self.columns).replace("s", "p")
-        for entry in self.columns:
-            found = entry.reference
-            if found is None:
-                continue
+        references = [entry.reference for entry in self.columns if entry.reference is not None]
+        for found in sorted(references, key=lambda found: "cfv".index(found.kind)):
             if found.kind == "v" and self.variables.style(found.name) is None:
                 raise ScriptError(f"Could not find thermo variable {found.name}")
-            if found.kind != "v" and found.source(self.sim) is None:
+            source = found.source(self.sim)
+            if found.kind != "v" and source is None:
                 raise ScriptError(f"Could not find thermo {found.what} with ID {found.name}")
+            if found.kind == "f" and self.sim.output.every % source.compatible_every:
+                raise ScriptError(
+                    f"Thermo and fix {found.name} not computed at compatible times", manual="Errors_details.html#err0007",
+                    hint=f"thermo {source.compatible_every}, or a multiple",
+                )  # fmt: skip
         if self.for_line and len(self.for_line) < len(self.columns):
             raise ScriptError(
                 f"Thermo_modify format line is too short: {' '.join(f.text for f in self.for_line)}",
