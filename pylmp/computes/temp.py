@@ -26,9 +26,14 @@ class Temp(Compute):
         super().__init__(sim, identity, group, bit, args)
         if len(args):
             args.illegal(args.peek())
+        self._dof = 0.0
+
+    def setup(self, sim: Simulation) -> None:
+        self._dof = temperature_dof(sim, self.members(sim))
 
     def dof(self, sim: Simulation) -> float:
-        return temperature_dof(sim, self.members(sim))
+        """Degrees of freedom, counted when the run was set up: atoms lost since then still count."""
+        return self._dof
 
     def scalar(self, sim: Simulation) -> float:
         return temperature_of(sim, self.members(sim), self.dof(sim))

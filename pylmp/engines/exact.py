@@ -17,7 +17,7 @@ from pylmp.model.bondlist import Breaks
 from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.fix import STEP_HOOKS, hooks
 from pylmp.model.ghosts import Ghosts, ghost_cutoff
-from pylmp.model.lost import remove_lost, warn_geometry
+from pylmp.model.lost import remove_lost, warn_extent, warn_images
 from pylmp.model.scene import Scene
 from pylmp.model.simulation import Simulation
 from pylmp.model.sorting import Sorter
@@ -72,13 +72,16 @@ class Run:
             f"Setting up Verlet run ...\n  Unit style    : {sim.units.name}\n  Current step  : {sim.step}\n"
             f"  Time step     : {sim.dt:.8g}\n"
         )
-        ghost_cutoff(sim, warn=True)
+        ghost_cutoff(sim, warn=True, setup=True)
         self._rebuild(setup=True)
-        warn_geometry(sim, self.ghosts)
+        warn_images(sim)
+        warn_extent(sim)
         self.builds = self.dangerous = 0
         for hook in hooks(sim.fixes, "setup_pre_force"):
             hook(sim)
         self._forces(sim.asking.take(sim.step), setup=True)
+        for compute in sim.computes.values():
+            compute.setup(sim)
         for hook in hooks(sim.fixes, "setup"):
             hook(sim)
         sim.output.setup(sim)
@@ -195,6 +198,7 @@ class Run:
             restore()
         self.breaks.edit_special(sim)
         self._call("post_run")
+        warn_extent(sim)
         return RunReport(
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections,
             neighbors=self.forces.neighbors.count if self.forces.neighbors else 0, ghosts=sim.atoms.ghosts,

@@ -56,6 +56,9 @@ class Compute:
     def init(self, sim: Simulation) -> None:
         """Called at the start of every run."""
 
+    def setup(self, sim: Simulation) -> None:
+        """Called when a run is set up, after the first forces."""
+
     def members(self, sim: Simulation) -> NDArray[np.bool_]:
         """(n,) bool: the owned atoms of this compute's group."""
         return (sim.atoms.mask[: sim.atoms.n] & self.bit) != 0

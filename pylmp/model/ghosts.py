@@ -21,7 +21,7 @@ def bond_reach(sim: Simulation) -> float:
     return sim.bond.reach() + sim.neighbor.skin if sim.bond else 0.0
 
 
-def ghost_cutoff(sim: Simulation, warn: bool = False) -> float:
+def ghost_cutoff(sim: Simulation, warn: bool = False, setup: bool = False) -> float:
     """How far ghosts reach: the user's cutoff, the neighbor cutoff or, without a pair style, the bond estimate."""
     cutoff = max(sim.comm.cutoff, sim.neighbor_cutoff)
     bonds = bond_reach(sim)
@@ -37,7 +37,7 @@ def ghost_cutoff(sim: Simulation, warn: bool = False) -> float:
             f"Communication cutoff {shortest(cutoff)} is shorter than a bond length based estimate of "
             f"{shortest(bonds)}. This may lead to errors."
         )
-    if warn and 0.0 < sim.comm.cutoff < sim.neighbor_cutoff:
+    if setup and 0.0 < sim.comm.cutoff < sim.neighbor_cutoff:
         sim.console.warning(f"Communication cutoff adjusted to {shortest(sim.neighbor_cutoff)}")
     return cutoff
 

@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.model.atoms import Ints
 from pylmp.model.bond import bond_pairs
 
 if TYPE_CHECKING:
-    from pylmp.model.ghosts import Ghosts
     from pylmp.model.simulation import Simulation
+
+_STRETCH = 1.1  # measured on LAMMPS 22 Jul 2025: it warns as if bonds were this much longer
 
 
 def remove_lost(sim: Simulation) -> None:
@@ -36,23 +38,34 @@ def remove_lost(sim: Simulation) -> None:
         atoms.keep(np.array(order, np.int64))
 
 
-def warn_geometry(sim: Simulation, ghosts: Ghosts) -> None:
-    """Bonds longer than half a periodic box length, and image flags that disagree along a bond."""
+def _bonds(sim: Simulation) -> tuple[Ints, Ints]:
+    """Rows of the two ends of each bond that is on."""
+    rows, _, partners = bond_pairs(sim, lambda kinds: kinds > 0)
+    known = partners >= 0
+    return rows[known], partners[known]
+
+
+def warn_images(sim: Simulation) -> None:
+    """Warn of image flags that disagree along a bond."""
     if not sim.has_bonds or not any(sim.box.periodic):
         return
-    rows, _, partners = bond_pairs(sim, lambda kinds: kinds > 0)
-    keep = partners >= 0
-    rows, partners = rows[keep], partners[keep]
-    if not len(rows):
-        return
+    rows, partners = _bonds(sim)
     atoms, box = sim.atoms, sim.box
     d = box.minimum_image(atoms.x[rows] - atoms.x[partners])
     unwrapped = box.unwrap(atoms.x[rows], atoms.image[rows]) - box.unwrap(atoms.x[partners], atoms.image[partners])
     if np.any(np.abs(unwrapped - d) > 0.5 * box.length):
         sim.console.warning("Inconsistent image flags")
-    listed = [entry for bonds in sim.bond_lists for entry in (bonds.bonds[: bonds.count],)]
-    for bonds in listed:
-        apart = atoms.x[bonds[:, 0]] - atoms.x[bonds[:, 1]]
-        if np.any(box.minimum_image(apart) != apart):
+
+
+def warn_extent(sim: Simulation) -> None:
+    """Warn of a periodic box so small that the longest bond, stretched a little more, has two images to choose from."""
+    box = sim.box
+    periodic = np.array(box.periodic[: sim.dimension])
+    if not sim.has_bonds or not periodic.any():
+        return
+    rows, partners = _bonds(sim)
+    if len(rows):
+        d = box.minimum_image(sim.atoms.x[rows] - sim.atoms.x[partners])
+        longest = float(np.sqrt((d * d).sum(axis=1).max()))
+        if np.any(periodic & (box.length[: sim.dimension] < 2.0 * longest * _STRETCH)):
             sim.console.warning("Bond/angle/dihedral extent > half of periodic box length")
-            return

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 _SMALL = 1.0e-6  # of the box length: how far beyond the ghosts the grid reaches
+_MANY = 2**31 - 1  # LAMMPS counts bins in 32 bits
 EXCLUDE, ORDINARY, FLAGGED = 0, 1, 2
 
 
@@ -46,6 +47,11 @@ class Grid:
         for d in range(sim.dimension):
             lo, hi = float(lows[d]), float(highs[d])
             length = hi - lo
+            if not length * per_bin <= _MANY:
+                raise ScriptError(
+                    "Domain too large for neighbor bins", manual="Errors_details.html#err0017",
+                    hint="an atom flew off and took a shrink-wrapped face along: a smaller timestep, or boundary f",
+                )  # fmt: skip
             count[d] = max(1, int(length * per_bin))
             self.width[d] = length / count[d]
             inverse[d] = 1.0 / self.width[d]
@@ -64,6 +70,8 @@ class Grid:
         self.numbers = np.array(count + low + size, np.int64)
         self.inverse = np.array(inverse)
         self.bins = size[0] * size[1] * size[2]
+        if self.bins > _MANY:
+            raise ScriptError("Too many neighbor bins", hint="a smaller box, or a larger cutoff")
 
     @staticmethod
     def _reached(box: Box, ghost_cutoff: float) -> tuple[Floats, Floats]:

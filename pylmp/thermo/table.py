@@ -45,7 +45,7 @@ class Thermo:
         self.for_real: Format | None = None
         self.for_line: list[Format] = []
         self.temp, self.press, self.pe = "thermo_temp", "thermo_press", "thermo_pe"
-        self.modified = False
+        self.modified = self._warned = False
         self.variables = Variables(sim)
         self._paces: dict[str, tuple[float, float]] = {}
         self._uses = ""  # what the columns of the last run needed
@@ -204,7 +204,7 @@ class Thermo:
 
     def _check_lost(self) -> None:
         sim = self.sim
-        if sim.atoms.n == sim.natoms or self.lost == "ignore":
+        if sim.atoms.n == sim.natoms:
             return
         text = f"Lost atoms: original {sim.natoms} current {sim.atoms.n}"
         if self.lost == "error":
@@ -212,7 +212,9 @@ class Thermo:
                 text, hint="a smaller timestep, softer coefficients or other boundaries; thermo_modify lost ignore goes on",
                 manual="Errors_details.html#err0008",
             )  # fmt: skip
-        sim.console.warning(text)
+        if self.lost == "warn" and not self._warned:
+            self._warned = True
+            sim.console.warning(text)
         sim.natoms = sim.atoms.n
 
 
