@@ -24,9 +24,10 @@ def region(sim: Simulation, args: Args) -> None:
     kind = REGIONS.find(style.text)
     if kind is None:
         unknown_style(args, style, "region", REGIONS)
-    args.need(kind.words)
-    outside, lattice = read_options(args, args.at + kind.words)
-    scale = sim.spacing if lattice else (1.0, 1.0, 1.0)
-    found = kind(sim, args, scale)
-    found.outside = outside
+    words = kind.count_words(args)
+    args.need(words)
+    options = read_options(sim, args, args.at + words, identity.text, kind)
+    found = kind(sim, args, options, sim.spacing if options.lattice else (1.0, 1.0, 1.0))
+    if options.motion:
+        options.motion.check(sim)
     sim.regions[identity.text] = found

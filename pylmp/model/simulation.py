@@ -168,6 +168,8 @@ class Simulation:
                 )
         self.box.deforming = any(fix.changes_box for fix in self.fixes)
         self.box.rate_group = 0  # unless fix deform gives one
+        for region in self.regions.values():
+            region.init()
         for fix in self.fixes:
             if hasattr(fix, "init"):
                 fix.init(self)

@@ -29,7 +29,6 @@ ELSEWHERE = {
     "reduce/chunk reduce/region slice stress/atom stress/mop temp/asphere temp/chunk temp/com temp/deform temp/partial temp/profile "
     "temp/ramp temp/region temp/rotate temp/sphere torque/chunk vacf vcm/chunk voronoi/atom xrd",
     "dump": "atom/gz cfg custom/gz dcd h5md image local/gz molfile movie netcdf vtk xtc xyz yaml",
-    "region": "cone ellipsoid intersect plane prism union",
 }  # fmt: skip
 
 

@@ -1,12 +1,11 @@
-"""region ID block xlo xhi ylo yhi zlo zhi"""
+"""region ID block xlo xhi ylo yhi zlo zhi: bounds may be INF, EDGE or equal-style variables."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
-from pylmp.model.region import Region, bound
+from pylmp.model.region import Inside, Options, Region, Scale
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
 from pylmp.text.number import shortest
@@ -15,21 +14,34 @@ from pylmp.text.words import Args
 
 @REGIONS.register("block")
 class Block(Region):
+    style = "block"
     words = 6
 
-    def __init__(self, sim: Simulation, args: Args, scale: tuple[float, float, float]) -> None:
-        low, high = [], []
-        for d, axis in enumerate("xyz"):
-            first = args.peek()
-            low.append(bound(sim, args, d, False, scale[d]))
-            high.append(bound(sim, args, d, True, scale[d]))
-            if low[d] > high[d]:
-                args.fail(
-                    f"Illegal region block {axis}lo: {shortest(low[d])} >= {axis}hi: {shortest(high[d])}", first,
-                    hint="the lower bound comes first",
-                )  # fmt: skip
-        self.low, self.high = np.array(low), np.array(high)
-        self.extent = (low[0], low[1], low[2]), (high[0], high[1], high[2])
+    def __init__(self, sim: Simulation, args: Args, options: Options, scale: Scale) -> None:
+        super().__init__(sim, options)
+        words = args.words[args.at :]
+        self._bounds = [self.bound(args, axis, high, scale[axis]) for axis in range(3) for high in (False, True)]
+        self.shaped()
+        if not self.varying:
+            self._take()
+            for d in range(3):
+                if self.low[d] > self.high[d]:
+                    axis, low, high = "xyz"[d], shortest(self.low[d]), shortest(self.high[d])
+                    args.fail(
+                        f"Illegal region block {axis}lo: {low} >= {axis}hi: {high}", words[2 * d],
+                        hint="the lower bound comes first",
+                    )  # fmt: skip
+        ends = [bound.value for bound in self._bounds]
+        self.extent = (ends[0], ends[2], ends[4]), (ends[1], ends[3], ends[5])
 
-    def contains(self, x: Floats) -> NDArray[np.bool_]:
+    def _take(self) -> None:
+        values = [bound.number(self.sim) for bound in self._bounds]
+        self.low, self.high = np.array(values[0::2]), np.array(values[1::2])
+
+    def reshape(self) -> None:
+        self._take()
+        if (self.low > self.high).any():
+            self.bad_value()
+
+    def contains(self, x: Floats) -> Inside:
         return np.asarray(((x >= self.low) & (x <= self.high)).all(axis=1))

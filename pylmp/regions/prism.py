@@ -1,16 +1,16 @@
 """region ID prism xlo xhi ylo yhi zlo zhi xy xz yz: a parallelepiped; the box of create_box becomes triclinic.
 
-A point belongs to it if its fractions of the vectors (xhi-xlo 0 0), (xy yhi-ylo 0), (xz yz zhi-zlo) are within 0 and 1.
-Source: LAMMPS manual, region.html.
+A point belongs to it if its fractions of the vectors (xhi-xlo 0 0), (xy yhi-ylo 0), (xz yz zhi-zlo) are within 0 and 1. Bounds
+may be INF or EDGE, bounds and tilts equal-style variables. Source: LAMMPS manual, region.html.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
-from pylmp.model.region import BIG, Region, bound, number
+from pylmp.model.quantity import Quantity
+from pylmp.model.region import BIG, Inside, Options, Region, Scale
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
 from pylmp.text.number import shortest
@@ -19,29 +19,26 @@ from pylmp.text.words import Args
 
 @REGIONS.register("prism")
 class Prism(Region):
+    style = "prism"
     words = 9
 
-    def __init__(self, sim: Simulation, args: Args, scale: tuple[float, float, float]) -> None:
+    def __init__(self, sim: Simulation, args: Args, options: Options, scale: Scale) -> None:
+        super().__init__(sim, options)
         words = args.words[args.at :]
-        low, high = [], []
-        for d in range(3):
-            low.append(bound(sim, args, d, False, scale[d]))
-            high.append(bound(sim, args, d, True, scale[d]))
-        xy, xz, yz = (scale[d] * number(args, args.word()) for d in (0, 0, 1))
-        for d, axis in enumerate("xyz"):
-            if low[d] >= high[d]:
-                args.fail(
-                    f"Illegal region prism {axis}lo: {shortest(low[d])} >= {axis}hi: {shortest(high[d])}", words[2 * d],
-                    hint="the lower bound comes first",
-                )  # fmt: skip
+        self._bounds = [self.bound(args, axis, high, scale[axis]) for axis in range(3) for high in (False, True)]
+        self._tilts = [self.quantity(args, scale[axis]) for axis in (0, 0, 1)]
+        self.check()
+        self._take()
+        flat, says = self._flat()
+        if flat is not None:
+            args.fail(says, words[2 * flat], hint="the lower bound comes first")
+        low, high = self.low.tolist(), self.high.tolist()
         endless = [abs(low[d]) == BIG or abs(high[d]) == BIG for d in range(3)]
-        for name, tilt, place in (("xy", xy, 6), ("xz", xz, 7), ("yz", yz, 8)):
+        for name, tilt, place in zip(("xy", "xz", "yz"), self._tilts, (6, 7, 8), strict=True):
             for axis in name:
-                if tilt != 0.0 and endless["xyz".index(axis)]:
+                if tilt.value != 0.0 and endless["xyz".index(axis)]:
                     args.fail(f"Illegal region prism non-zero {name} tilt with infinite {axis} size", words[place])
-        self.low = np.array(low)
-        a, b, c = (hi - lo for lo, hi in zip(low, high, strict=True))
-        self.inverse = 1.0 / a, -xy / (a * b), (xy * yz - xz * b) / (a * b * c), 1.0 / b, -yz / (b * c), 1.0 / c
+        xy, xz, yz = self.tilt
         self.cell = (low[0], low[1], low[2]), (high[0], high[1], high[2]), (xy, xz, yz)
         least_x, most_x = min(low[0], low[0] + xy), max(high[0], high[0] + xy)
         self.extent = (
@@ -49,7 +46,34 @@ class Prism(Region):
             (max(most_x, most_x + xz), max(high[1], high[1] + yz), high[2]),
         )
 
-    def contains(self, x: Floats) -> NDArray[np.bool_]:
+    def edge(self, args: Args, axis: int, high: bool) -> Quantity:
+        """The box's own face, not that of the brick around it."""
+        super().edge(args, axis, high)
+        return Quantity(float((self.sim.box.hi if high else self.sim.box.lo)[axis]))
+
+    def _take(self) -> None:
+        values = [bound.number(self.sim) for bound in self._bounds]
+        self.low, self.high = np.array(values[0::2]), np.array(values[1::2])
+        self.tilt = xy, xz, yz = [tilt.number(self.sim) for tilt in self._tilts]
+        a, b, c = (self.high - self.low).tolist()
+        if a != 0.0 and b != 0.0 and c != 0.0:
+            self.inverse = 1.0 / a, -xy / (a * b), (xy * yz - xz * b) / (a * b * c), 1.0 / b, -yz / (b * c), 1.0 / c
+
+    def _flat(self) -> tuple[int | None, str]:
+        """The first direction in which nothing lies between the bounds, and what LAMMPS says of it."""
+        for d, (low, high) in enumerate(zip(self.low.tolist(), self.high.tolist(), strict=True)):
+            if low >= high:
+                axis = "xyz"[d]
+                return d, f"Illegal region prism {axis}lo: {shortest(low)} >= {axis}hi: {shortest(high)}"
+        return None, ""
+
+    def reshape(self) -> None:
+        self._take()
+        flat, says = self._flat()
+        if flat is not None:
+            self.bad_value(says)
+
+    def contains(self, x: Floats) -> Inside:
         xx, xy, xz, yy, yz, zz = self.inverse
         d = x - self.low
         a = xx * d[:, 0] + xy * d[:, 1] + xz * d[:, 2]

@@ -1,12 +1,11 @@
-"""region ID sphere x y z radius"""
+"""region ID sphere x y z radius: each may be an equal-style variable."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
-from pylmp.model.region import Region, number
+from pylmp.model.region import Inside, Options, Region, Scale
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
 from pylmp.text.number import shortest
@@ -15,16 +14,29 @@ from pylmp.text.words import Args
 
 @REGIONS.register("sphere")
 class Sphere(Region):
+    style = "sphere"
     words = 4
 
-    def __init__(self, sim: Simulation, args: Args, scale: tuple[float, float, float]) -> None:
-        x, y, z = (scale[d] * number(args, args.word()) for d in range(3))
-        radius = scale[0] * number(args, args.word())
-        if radius < 0.0:
-            args.fail(f"Illegal region sphere radius: {shortest(radius)}")
-        self.center, self.radius = (x, y, z), radius
-        self.extent = (x - radius, y - radius, z - radius), (x + radius, y + radius, z + radius)
+    def __init__(self, sim: Simulation, args: Args, options: Options, scale: Scale) -> None:
+        super().__init__(sim, options)
+        self._center = [self.quantity(args, s) for s in scale]
+        self._radius = self.quantity(args, scale[0])
+        self.shaped()
+        self._take()
+        if self.radius < 0.0:
+            args.fail(f"Illegal region sphere radius: {shortest(self.radius)}")
+        (x, y, z), r = self.center, self.radius
+        self.extent = (x - r, y - r, z - r), (x + r, y + r, z + r)
 
-    def contains(self, x: Floats) -> NDArray[np.bool_]:
+    def _take(self) -> None:
+        self.center = [q.number(self.sim) for q in self._center]
+        self.radius = self._radius.number(self.sim)
+
+    def reshape(self) -> None:
+        self._take()
+        if self.radius < 0.0:
+            self.bad_value()
+
+    def contains(self, x: Floats) -> Inside:
         a, b, c = (x[:, d] - self.center[d] for d in range(3))
         return np.asarray(np.sqrt(a * a + b * b + c * c) <= self.radius)
