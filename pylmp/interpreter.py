@@ -196,9 +196,9 @@ class Interpreter:
 # Commands of LAMMPS that pylmp lacks: known, not misspelled.
 ELSEWHERE = frozenset(
     {
-        "angle_coeff", "angle_style", "angle_write", "balance", "bond_write", "change_box", "comm_style",
-        "compute_modify", "delete_atoms", "dielectric", "dihedral_coeff", "dihedral_style", "dihedral_write", "dump2vtk",
-        "dynamical_matrix", "geturl", "group2ndx", "improper_coeff", "improper_style", "info", "kim",
+        "angle_write", "balance", "bond_write", "change_box", "comm_style",
+        "compute_modify", "delete_atoms", "dielectric", "dihedral_write", "dump2vtk",
+        "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
         "kspace_modify", "kspace_style", "labelmap", "mdi", "min_modify", "min_style", "minimize", "molecule", "neb",
         "ndx2group", "package", "pair_write", "partition", "plugin", "prd", "processors", "python", "read_dump",
         "read_restart", "replicate", "rerun", "reset_atoms", "restart", "run_style", "shell", "suffix", "tad", "temper",

@@ -1,29 +1,29 @@
-"""atom_style atomic|bond|molecular"""
+"""atom_style atomic|charge|bond|angle|molecular|full"""
 
 from __future__ import annotations
 
+from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args
 
-STYLES = ("atomic", "bond", "molecular")
 _ELSEWHERE = (
-    "angle", "body", "bpm/sphere", "charge", "dielectric", "dipole", "dpd", "edpd", "electron", "ellipsoid", "full", "hybrid",
+    "body", "bpm/sphere", "dielectric", "dipole", "dpd", "edpd", "electron", "ellipsoid", "hybrid",
     "line", "mdpd", "peri", "rheo", "smd", "sph", "sphere", "spin", "tdpd", "template", "tri", "wavepacket",
 )  # fmt: skip
 
 
 @command("atom_style")
 def atom_style(sim: Simulation, args: Args) -> None:
-    """What atoms carry: bond and molecular store bonds."""
+    """What atoms carry: charge, molecule ID, bonds, angles, dihedrals, impropers."""
     word = args.word()
     if sim.has_box:
         args.fail("Atom_style command after simulation box is defined", args.owner, hint="atom_style comes before the box")
     if word.text in _ELSEWHERE:
         raise Unsupported(f"LAMMPS has atom_style {word.text}, pylmp's native engines do not", word.span, manual=args.manual)
-    if word.text not in STYLES:
-        args.fail(f"Unrecognized atom style '{word.text}'", word, hint=" ".join(STYLES))
+    if word.text not in ATOM_STYLES:
+        args.fail(f"Unrecognized atom style '{word.text}'", word, hint=" ".join(ATOM_STYLES))
     if len(args):
         args.fail("Invalid atom_style command", args.peek())
-    sim.atom_style = word.text
+    sim.style = ATOM_STYLES[word.text]

@@ -1,4 +1,7 @@
-"""create_bonds many GROUP1 GROUP2 TYPE RMIN RMAX | single/bond TYPE ATOM1 ATOM2 [special yes|no]"""
+"""create_bonds many GROUP1 GROUP2 TYPE RMIN RMAX | single/bond TYPE ATOM1 ATOM2 [special yes|no]
+
+single/angle TYPE A B C, single/dihedral and single/improper TYPE A B C D alike.
+"""
 
 from __future__ import annotations
 
@@ -15,15 +18,16 @@ from pylmp.model.neighbor import NeighborList
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
+from pylmp.model.topology import BOND, KINDS, Kind, crowd, store
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
-_SINGLE = {"single/bond": 2, "single/angle": 3, "single/dihedral": 4, "single/improper": 4}
+_SINGLE = {f"single/{kind.name}": kind for kind in KINDS}
 
 
 @command("create_bonds", needs_box=True)
 def create_bonds(sim: Simulation, args: Args) -> None:
-    """Bond all pairs of two groups within a range of distances, or two atoms."""
+    """Bond all pairs of two groups within a range of distances; or make one bond, angle, dihedral or improper."""
     if not sim.has_bonds:
         args.fail(
             "Cannot use create_bonds with non-molecular system", args.owner, hint="atom_style bond, before the box"
@@ -52,7 +56,7 @@ def _many(sim: Simulation, args: Args) -> None:
     kind, low, high = args.as_integer(type_word), args.as_number(low_word), args.as_number(high_word)
     if low > high:
         args.fail("Inconsistent cutoffs for create_bonds many", low_word, hint="the smaller distance comes first")
-    _check_type(sim, args, "bond", kind, type_word)
+    _check_type(sim, args, BOND, kind, type_word)
 
     initialise(sim, Request("command create_bonds", full=True, occasional=True))
     if sim.pair is None:
@@ -71,8 +75,7 @@ def _many(sim: Simulation, args: Args) -> None:
     rows, others = _pairs(sim, bits, low, high)
     before = sim.bonds
     _append(sim, rows, others, kind)
-    total = int(sim.atoms.num_bond[: sim.atoms.n].sum())
-    sim.bonds = total if sim.newton_bond else total // 2
+    BOND.recount(sim)
     sim.console.both(f"Added {sim.bonds - before} bonds, new total = {sim.bonds}\n")
     build_special(sim)
 
@@ -116,51 +119,46 @@ def _append(sim: Simulation, rows: Ints, partners: Ints, kind: int) -> None:
 
 
 def _single(sim: Simulation, args: Args, style: Word) -> None:
-    what = style.text.removeprefix("single/")
+    kind = _SINGLE[style.text]
+    if len(args) < kind.size + 1:
+        args.fail(f"Illegal create_bonds {style.text} command: missing argument(s)", args.words[-1], hint="the type, then atom IDs")
     type_word = args.word()
-    kind = args.as_integer(type_word)
-    args.need(_SINGLE[style.text])
-    ends = [args.word() for _ in range(_SINGLE[style.text])]
+    type_ = args.as_integer(type_word)
+    ends = [args.word() for _ in range(kind.size)]
     tags = [args.as_integer(word) for word in ends]
     if len(set(tags)) < len(tags):
-        args.fail(f"{what.capitalize()} atoms must be different", ends[-1])
+        says = f"{kind.name.capitalize()} atoms must be different" if kind.size < 4 else "Illegal create_bonds command"
+        args.fail(says, ends[-1], hint="no atom twice")
     finds_special = True
     while len(args):
         key = args.word()
-        if key.text != "special":
-            args.illegal(key, hint="special yes|no")
-        if not len(args):
+        if key.text != "special" or not len(args):
             args.illegal(key, hint="special yes|no")
         finds_special = args.yes()
-    _check_type(sim, args, what, kind, type_word)
-    _bond(sim, args, kind, ends, tags)
+    _check_type(sim, args, kind, type_, type_word)
+    _add(sim, args, kind, type_, ends, tags)
     if finds_special:
         build_special(sim)
 
 
-def _bond(sim: Simulation, args: Args, kind: int, ends: list[Word], tags: list[int]) -> None:
+def _add(sim: Simulation, args: Args, kind: Kind, type_: int, ends: list[Word], tags: list[int]) -> None:
     atoms = sim.atoms
     by_tag = atoms.rows_by_tag()
-    rows = [int(by_tag[tag]) if 0 < tag < len(by_tag) else -1 for tag in tags]
-    if min(rows) < 0:
-        args.fail("Create_bonds single/bond atoms do not exist", ends[0 if rows[0] < 0 else 1])
-    for row, partner in (rows[0], tags[1]), (rows[1], tags[0]):
-        slot = int(atoms.num_bond[row])
-        if slot == atoms.bond_per_atom:
-            args.fail(
-                "New bond exceeded bonds per atom in create_bonds", args.owner,
-                hint="a larger extra/bond/per/atom in create_box or read_data",
-            )  # fmt: skip
-        atoms.bond_type[row, slot] = kind
-        atoms.bond_atom[row, slot] = partner
-        atoms.bond_history[row, slot] = 0.0
-        atoms.num_bond[row] = slot + 1
-        if sim.newton_bond:
-            break
-    sim.bonds += 1
+    for word, tag in zip(ends, tags, strict=True):
+        if not 0 < tag < len(by_tag) or by_tag[tag] < 0:
+            args.fail(f"Create_bonds single/{kind.name} atoms do not exist", word)
+    table = np.array([tags])
+    full = kind.numbers(sim)[: atoms.n] + crowd(sim, kind, table) > atoms.slots(kind.name)
+    if full.any():
+        args.fail(
+            f"New {kind.name} exceeded {kind.plural} per atom in create_bonds", args.owner,
+            hint=f"a larger extra/{kind.name}/per/atom in create_box or read_data",
+        )  # fmt: skip
+    store(sim, kind, np.array([type_]), table)
+    kind.set_total(sim, kind.total(sim) + 1)
 
 
-def _check_type(sim: Simulation, args: Args, what: str, kind: int, word: Word) -> None:
-    types = sim.bond_types if what == "bond" else 0
-    if not 1 <= kind <= types:
-        args.fail(f"Invalid {what} type in create_bonds command", word, hint=f"{what} types are 1 to {types}")
+def _check_type(sim: Simulation, args: Args, kind: Kind, type_: int, word: Word) -> None:
+    types = kind.types(sim)
+    if not 1 <= type_ <= types:
+        args.fail(f"Invalid {kind.name} type in create_bonds command", word, hint=f"{kind.name} types are 1 to {types}")

@@ -8,6 +8,7 @@ from pylmp.model.atoms import Atoms
 from pylmp.model.box import Box
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
+from pylmp.model.topology import KIND, KINDS
 from pylmp.model.triclinic import Triclinic
 from pylmp.text.number import eight
 from pylmp.text.words import Args
@@ -53,27 +54,27 @@ def create_box(sim: Simulation, args: Args) -> None:
     else:
         sim.box = Triclinic(lo, hi, sim.boundary, sim.dimension, np.array(tilt))
     announce(sim, "Created ")
-    sim.define_types(types, options["bond/types"])
+    sim.define_types(types, *(options[f"{kind.name}/types"] for kind in KINDS))
     sim.extra_special = options["extra/special/per/atom"]
-    sim.atoms = Atoms(options["extra/bond/per/atom"], 1 + sim.extra_special)
+    slots = {kind.name: options[f"extra/{kind.name}/per/atom"] for kind in KINDS[1:]}
+    sim.atoms = Atoms(options["extra/bond/per/atom"], 1 + sim.extra_special, **slots)
     sim.step = 0
 
 
 def _options(sim: Simulation, args: Args) -> dict[str, int]:
-    options = {"bond/types": 0, "extra/bond/per/atom": 0, "extra/special/per/atom": 0}
-    kinds = ("bond", "angle", "dihedral", "improper")
-    known = [f"{k}/types" for k in kinds] + [f"extra/{k}/per/atom" for k in kinds] + ["extra/special/per/atom"]
+    options = {word: 0 for kind in KINDS for word in (f"{kind.name}/types", f"extra/{kind.name}/per/atom")}
+    options["extra/special/per/atom"] = 0
     while len(args):
         word = args.word()
-        if word.text not in known:
-            args.fail(f"Unknown create_box keyword: {word.text}", word, hint="bond/types extra/bond/per/atom extra/special/per/atom")
+        if word.text not in options:
+            args.fail(f"Unknown create_box keyword: {word.text}", word, hint=" ".join(options))
         args.need(1)
         value = args.integer()
-        kind = word.text.split("/")[0 if word.text.endswith("types") else 1]
-        if kind == "special":
+        name = word.text.split("/")[0 if word.text.endswith("types") else 1]
+        if name == "special":
             options[word.text] += value
-        elif kind == "bond" and sim.has_bonds:
+        elif KIND[name] in sim.style.kinds:
             options[word.text] = value
         else:
-            args.fail(f"No {kind}s allowed with atom style {sim.atom_style}", word)
+            args.fail(f"No {name}s allowed with atom style {sim.atom_style}", word)
     return options

@@ -68,7 +68,7 @@ def _lost_bond(sim: Simulation, thermo: Thermo, args: Args) -> None:
     word = args.word()
     if word.text not in _LOST:
         args.fail(f"Unknown thermo_modify lost/bond argument: {word.text}", word, hint=" ".join(_LOST))
-    sim.lost_bonds_tolerated = word.text != "error"
+    sim.lost_bonds = word.text
 
 
 def _warn(sim: Simulation, thermo: Thermo, args: Args) -> None:

@@ -17,7 +17,7 @@ from pylmp.model.bondlist import Breaks
 from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.fix import STEP_HOOKS, hooks
 from pylmp.model.ghosts import Ghosts, ghost_cutoff
-from pylmp.model.lost import remove_lost, warn_extent, warn_images
+from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
 from pylmp.model.scene import Scene
 from pylmp.model.simulation import Simulation
 from pylmp.model.sorting import Sorter
@@ -74,8 +74,6 @@ class Run:
         )
         ghost_cutoff(sim, warn=True, setup=True)
         self._rebuild(setup=True)
-        warn_images(sim)
-        warn_extent(sim)
         self.builds = self.dangerous = 0
         for hook in hooks(sim.fixes, "setup_pre_force"):
             hook(sim)
@@ -169,6 +167,9 @@ class Run:
         self.ghosts.build(sim, cutoff)
         sim.box.leave(atoms.x[: atoms.total])
         self.timers.stamp("Comm")
+        if setup:
+            warn_image_flags(sim)
+            warn_small_box(sim)
         self.forces.rebuild(sim, cutoff)
         self.refresh = self.ghosts.bind_refresh(sim)
         self.reverse = self.ghosts.bind_reverse(sim)
@@ -198,7 +199,7 @@ class Run:
             restore()
         self.breaks.edit_special(sim)
         self._call("post_run")
-        warn_extent(sim)
+        warn_small_box(sim)
         return RunReport(
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections,
             neighbors=self.forces.neighbors.count if self.forces.neighbors else 0, ghosts=sim.atoms.ghosts,

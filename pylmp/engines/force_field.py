@@ -12,6 +12,7 @@ from pylmp.kernels.exact.bond import bond_loop
 from pylmp.kernels.exact.pair import pair_loop
 from pylmp.kernels.store import kernel, prepare
 from pylmp.model.bondlist import BondList, Breaks
+from pylmp.model.lost import check_bonded
 from pylmp.model.neighbor import NeighborList
 
 if TYPE_CHECKING:
@@ -89,9 +90,10 @@ class ForceField:
             first = not listed.part.stored
             if first:
                 listed.store_reference(sim)
-            listed.build(sim, self.ghosts, sim.lost_bonds_tolerated)
+            listed.build(sim, self.ghosts, sim.lost_bonds != "error")
             if first and len(self.bonds) > 1:
                 listed.misplace(sim, self.ghosts)
+        check_bonded(sim)
         self._held = atoms.x[: atoms.n].copy()
         self._held_box = sim.box.corners()
         self._bind(sim)

@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
+_MANY = {"angle": 3, "dihedral": 4, "improper": 4}  # atoms that one joins
 _PER_ATOM = (
-    "x", "v", "f", "tag", "type", "mask", "image", "molecule",
+    "x", "v", "f", "tag", "type", "mask", "image", "molecule", "q",
     "num_bond", "bond_type", "bond_atom", "bond_history", "num_special", "special",
+    *(name for kind in _MANY for name in (f"num_{kind}", f"{kind}_type", f"{kind}_atom")),
 )  # fmt: skip
 
 
@@ -25,10 +27,12 @@ class Atoms:
     tag           (capacity,) int64: atom ID, from 1
     type mask     (capacity,) int64: atom type from 1; group bits (bit 0 = all)
     image         (capacity, 3) int64: periodic image flags
-    molecule      (capacity,) int64
+    molecule      (capacity,) int64: molecule ID
+    q             (capacity,) float64: charge
     num_bond      (capacity,) int64: bond slots in use
     bond_type bond_atom   (capacity, bond_per_atom) int64: a slot's bond type (<= 0: off or broken) and partner ID
     bond_history  (capacity, bond_per_atom, width) float64: what a slot's bond remembers (r0, ep)
+    num_angle angle_type angle_atom   the same for angles: (capacity, slots, 3) IDs of all three atoms; dihedral, improper: (.., 4)
     num_special   (capacity, 3) int64: cumulative counts of 1-2, 1-3, 1-4 neighbors in special
     special       (capacity, max_special) int64: their IDs
     extra         name -> (capacity, ...) array: what a fix or style stores per atom; rides along with the atoms
@@ -42,14 +46,25 @@ class Atoms:
     mask: Ints
     image: Ints
     molecule: Ints
+    q: Floats
     num_bond: Ints
     bond_type: Ints
     bond_atom: Ints
     bond_history: Floats
     num_special: Ints
     special: Ints
+    num_angle: Ints
+    angle_type: Ints
+    angle_atom: Ints
+    num_dihedral: Ints
+    dihedral_type: Ints
+    dihedral_atom: Ints
+    num_improper: Ints
+    improper_type: Ints
+    improper_atom: Ints
 
-    def __init__(self, bond_per_atom: int = 0, max_special: int = 1) -> None:
+    def __init__(self, bond_per_atom: int = 0, max_special: int = 1, **slots: int) -> None:
+        """slots: those of angles, dihedrals, impropers, none by default."""
         self.n = 0
         self.ghosts = 0
         self.bond_per_atom = bond_per_atom
@@ -65,6 +80,12 @@ class Atoms:
         self.bond_history = np.zeros((0, bond_per_atom, 0))
         self.num_special = np.zeros((0, 3), np.int64)
         self.special = np.zeros((0, max_special), np.int64)
+        self.q = np.zeros(0)
+        for kind, size in _MANY.items():
+            width = slots.get(kind, 0)
+            setattr(self, f"num_{kind}", np.zeros(0, np.int64))
+            setattr(self, f"{kind}_type", np.zeros((0, width), np.int64))
+            setattr(self, f"{kind}_atom", np.zeros((0, width, size), np.int64))
 
     @property
     def capacity(self) -> int:
@@ -139,6 +160,22 @@ class Atoms:
         rows[tags[::-1]] = np.arange(self.n)[::-1]
         return rows
 
+    def slots(self, kind: str) -> int:
+        """How many bonds (angles, ...) an atom can store."""
+        return int(getattr(self, f"{kind}_type").shape[1])
+
+    def widen(self, kind: str, slots: int) -> None:
+        """Room for more bonds (angles, ...) per atom."""
+        extra = slots - self.slots(kind)
+        if extra <= 0:
+            return
+        if kind == "bond":
+            self.widen_bonds(slots)
+            return
+        for name in (f"{kind}_type", f"{kind}_atom"):
+            array = getattr(self, name)
+            setattr(self, name, np.pad(array, ((0, 0), (0, extra), (0, 0))[: array.ndim]))
+
     def widen_bonds(self, bond_per_atom: int) -> None:
         """Room for more bond slots per atom."""
         extra = bond_per_atom - self.bond_per_atom
@@ -158,14 +195,16 @@ class Atoms:
             self.special = np.pad(self.special, ((0, 0), (0, extra)))
             self.max_special = max_special
 
-    def drop_slot(self, row: int, slot: int) -> None:
-        """Remove a bond slot of an owned atom: the last slot, with its history, moves into the hole."""
-        last = int(self.num_bond[row]) - 1
-        self.bond_type[row, slot] = self.bond_type[row, last]
-        self.bond_atom[row, slot] = self.bond_atom[row, last]
-        self.bond_history[row, slot] = self.bond_history[row, last]
-        self.bond_history[row, last] = 0.0
-        self.num_bond[row] = last
+    def drop_slot(self, row: int, slot: int, kind: str = "bond") -> None:
+        """Remove a slot of an owned atom: the last slot, with what it remembers, moves into the hole."""
+        count, types, members = (getattr(self, name.format(kind)) for name in ("num_{}", "{}_type", "{}_atom"))
+        last = int(count[row]) - 1
+        types[row, slot] = types[row, last]
+        members[row, slot] = members[row, last]
+        if kind == "bond":
+            self.bond_history[row, slot] = self.bond_history[row, last]
+            self.bond_history[row, last] = 0.0
+        count[row] = last
 
 
 def _grown(array: NDArray[np.generic], rows: int) -> NDArray[np.generic]:

@@ -18,7 +18,12 @@ if TYPE_CHECKING:
 
 def bond_reach(sim: Simulation) -> float:
     """LAMMPS's estimate of how far bonds reach, also of bonds to come; 0.0 without a bond style."""
-    return sim.bond.reach() + sim.neighbor.skin if sim.bond else 0.0
+    if sim.bond is None:
+        return 0.0
+    reach = sim.bond.reach()
+    if sim.dihedral is not None or sim.improper is not None:
+        reach *= 1.5
+    return float(reach + sim.neighbor.skin)
 
 
 def ghost_cutoff(sim: Simulation, warn: bool = False, setup: bool = False) -> float:

@@ -8,6 +8,8 @@ import numpy as np
 
 from pylmp.model.atoms import Ints
 from pylmp.model.bond import bond_pairs
+from pylmp.model.topology import BOND, entries
+from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
@@ -38,34 +40,57 @@ def remove_lost(sim: Simulation) -> None:
         atoms.keep(np.array(order, np.int64))
 
 
-def _bonds(sim: Simulation) -> tuple[Ints, Ints]:
-    """Rows of the two ends of each bond that is on."""
-    rows, _, partners = bond_pairs(sim, lambda kinds: kinds > 0)
-    known = partners >= 0
-    return rows[known], partners[known]
+def check_lost_partner(sim: Simulation, lost: bool, sentence: str) -> None:
+    """What thermo_modify lost/bond wants where a bond's partner is lost: an error, a warning, nothing."""
+    if lost and sim.lost_bonds == "error":
+        raise ScriptError(sentence, hint="an atom was lost: a smaller timestep, or a boundary that keeps it")
+    if lost and sim.lost_bonds == "warn":
+        sim.console.warning(sentence)
 
 
-def warn_images(sim: Simulation) -> None:
-    """Warn of image flags that disagree along a bond."""
-    if not sim.has_bonds or not any(sim.box.periodic):
+def check_bonded(sim: Simulation) -> None:
+    """At each rebuild: all atoms of what has a force style are there. Of bonds the bond list says so itself when that is an error."""
+    for kind in sim.style.kinds:
+        if kind.style(sim) is None or (kind is BOND and sim.lost_bonds != "warn"):
+            continue
+        found = entries(sim, kind, lambda types: types > 0)
+        missing = (found.at(sim) < 0).any(axis=1)
+        if not missing.any():
+            continue
+        tags = "".join(f" {tag}" for tag in found.tags[int(np.argmax(missing))]) + " missing on proc 0"
+        which = tags if sim.lost_bonds == "error" else " missing"
+        check_lost_partner(sim, True, f"{kind.name.capitalize()} atoms{which} at step {sim.step}")
+
+
+def warn_image_flags(sim: Simulation) -> None:
+    """Image flags that disagree along a bond."""
+    rows, partners = _bonded(sim, "Bond atom missing in image check")
+    if not len(rows):
         return
-    rows, partners = _bonds(sim)
     atoms, box = sim.atoms, sim.box
     d = box.minimum_image(atoms.x[rows] - atoms.x[partners])
     unwrapped = box.unwrap(atoms.x[rows], atoms.image[rows]) - box.unwrap(atoms.x[partners], atoms.image[partners])
     if np.any(np.abs(unwrapped - d) > 0.5 * box.length):
-        sim.console.warning("Inconsistent image flags")
+        sim.console.warning("Inconsistent image flags\nFor more information see https://docs.lammps.org/err0027")
 
 
-def warn_extent(sim: Simulation) -> None:
-    """Warn of a periodic box so small that the longest bond, stretched a little more, has two images to choose from."""
-    box = sim.box
-    periodic = np.array(box.periodic[: sim.dimension])
-    if not sim.has_bonds or not periodic.any():
+def warn_small_box(sim: Simulation) -> None:
+    """The longest bond, a tenth longer, and two or three of them where there are angles or dihedrals, must fit into half the box."""
+    rows, partners = _bonded(sim, "Bond atom missing in box size check")
+    if not len(rows):
         return
-    rows, partners = _bonds(sim)
-    if len(rows):
-        d = box.minimum_image(sim.atoms.x[rows] - sim.atoms.x[partners])
-        longest = float(np.sqrt((d * d).sum(axis=1).max()))
-        if np.any(periodic & (box.length[: sim.dimension] < 2.0 * longest * _STRETCH)):
-            sim.console.warning("Bond/angle/dihedral extent > half of periodic box length")
+    d = sim.box.minimum_image(sim.atoms.x[rows] - sim.atoms.x[partners])
+    longest = float(np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]).max())
+    reach = longest * _STRETCH * (3.0 if sim.dihedrals else 2.0 if sim.angles else 1.0)
+    if np.any(((reach > 0.5 * sim.box.length) & np.array(sim.box.periodic))[: sim.dimension]):
+        sim.console.warning("Bond/angle/dihedral extent > half of periodic box length")
+
+
+def _bonded(sim: Simulation, sentence: str) -> tuple[Ints, Ints]:
+    """Rows of both ends of the bonds that are on, where the box is periodic; sentence: to say of those with one end."""
+    nothing = np.zeros(0, np.int64)
+    if not sim.has_bonds or not any(sim.box.periodic):
+        return nothing, nothing
+    rows, _, partners = bond_pairs(sim, lambda kinds: kinds > 0)
+    check_lost_partner(sim, bool((partners < 0).any()), sentence)
+    return rows[partners >= 0], partners[partners >= 0]

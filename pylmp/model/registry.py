@@ -94,6 +94,9 @@ class Command:
 
 COMMANDS: Registry[Command] = Registry("command", "pylmp.commands")
 BONDS: Registry[Any] = Registry("bond style", "pylmp.bonds")
+ANGLES: Registry[Any] = Registry("angle style", "pylmp.angles")
+DIHEDRALS: Registry[Any] = Registry("dihedral style", "pylmp.dihedrals")
+IMPROPERS: Registry[Any] = Registry("improper style", "pylmp.impropers")
 PAIRS: Registry[Any] = Registry("pair style", "pylmp.pairs")
 FIXES: Registry[Any] = Registry("fix style", "pylmp.fixes")
 COMPUTES: Registry[Any] = Registry("compute style", "pylmp.computes")

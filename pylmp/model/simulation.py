@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pylmp.model.asking import Asking
+from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.model.atoms import Atoms
 from pylmp.model.box import Box
 from pylmp.model.checks import check_integration, check_neighbor_settings
@@ -14,6 +15,7 @@ from pylmp.model.console import Console
 from pylmp.model.groups import Groups
 from pylmp.model.output import Output, add_default_computes
 from pylmp.model.settings import CommSettings, NeighborSettings, SortSettings, SpecialSettings, Tally
+from pylmp.model.topology import KINDS, Kind
 from pylmp.model.units import UNITS, Units
 from pylmp.text.diagnostic import ScriptError
 
@@ -29,10 +31,11 @@ class Simulation:
     units dimension boundary newton_pair newton_bond atom_style   as the script's commands say
     box                None until it is created
     atoms              per-atom arrays
-    atom_types bond_types   counts, fixed by create_box or read_data
+    atom_types bond_types angle_types dihedral_types improper_types   counts, fixed by create_box or read_data
     mass               (atom_types + 1,) float64, index 0 unused, 0.0 where not set
-    bonds              LAMMPS's global bond count (thermo keyword bonds)
+    bonds angles dihedrals impropers   LAMMPS's global counts (thermo keywords of these names)
     pair, bond         force fields (model/pair.py, model/bond.py) or None
+    angle dihedral improper   their force styles (model/many_body.py) or None
     fixes computes     in order of definition
     regions lattice    by ID; the lattice in force
     step dt            current step, timestep size
@@ -56,16 +59,18 @@ class Simulation:
         self.dimension = 3
         self.boundary: tuple[tuple[str, str], ...] = (("p", "p"),) * 3
         self.newton_pair = self.newton_bond = True
-        self.atom_style = "atomic"
+        self.style = ATOM_STYLES["atomic"]
         self.map_style = "yes"
         self._box: Box | None = None
         self.atoms = Atoms()
-        self.atom_types = self.bond_types = 0
-        self.extra_bond_per_atom = 0
+        self.atom_types = self.bond_types = self.angle_types = self.dihedral_types = self.improper_types = 0
         self.mass = np.zeros(1)
-        self.bonds = 0
+        self.bonds = self.angles = self.dihedrals = self.impropers = 0
         self.pair: Any = None
         self.bond: Any = None
+        self.angle: Any = None
+        self.dihedral: Any = None
+        self.improper: Any = None
         self.special = SpecialSettings()
         self.extra_special = 0
         self.neighbor = NeighborSettings(skin=self.units.skin)
@@ -89,7 +94,7 @@ class Simulation:
         self.bond_lists: list[Any] = []  # bond lists of the last run, with what bonds remember
         self.announced: Any = None  # neighbor lists the log has described
         self.halted = False  # a fix asked the run to end
-        self.lost_bonds_tolerated = False
+        self.lost_bonds = "error"  # thermo_modify lost/bond
         self.natoms = 0  # LAMMPS's global count; atoms.n falls below it when atoms are lost
         self.skip_run = False
 
@@ -116,9 +121,13 @@ class Simulation:
         return self._box is not None
 
     @property
+    def atom_style(self) -> str:
+        return self.style.name
+
+    @property
     def has_bonds(self) -> bool:
-        """The atom style stores bonds."""
-        return self.atom_style in ("bond", "molecular")
+        """The atom style stores bonds, and molecule IDs."""
+        return bool(self.style.kinds)
 
     @property
     def ghost_velocity(self) -> bool:
@@ -135,9 +144,10 @@ class Simulation:
         """Lattice spacings; 1.0 before any lattice command."""
         return self.lattice.spacing if self.lattice else (1.0, 1.0, 1.0)
 
-    def define_types(self, atom_types: int, bond_types: int) -> None:
-        """Fix the numbers of atom and bond types when the box comes to be."""
+    def define_types(self, atom_types: int, bond_types: int, *other_types: int) -> None:
+        """Fix the numbers of types when the box comes to be; other_types: of angles, dihedrals, impropers."""
         self.atom_types, self.bond_types = atom_types, bond_types
+        self.angle_types, self.dihedral_types, self.improper_types = (*other_types, 0, 0, 0)[:3]
         self.mass = np.zeros(atom_types + 1)
         if self.pair is not None:
             self.pair.types = atom_types
@@ -146,6 +156,9 @@ class Simulation:
             for part in self.bond.parts:
                 part.table = np.zeros((bond_types + 1, part.table.shape[1]))
                 part.mine = np.zeros(bond_types + 1, np.uint8)
+        for kind in KINDS[1:]:
+            if kind.style(self) is not None:
+                kind.style(self).types = kind.types(self)
 
     def masses(self) -> Any:
         """(n,) mass of each owned atom."""
@@ -155,12 +168,8 @@ class Simulation:
         """What LAMMPS does before a run and before commands that need a complete system: every part checks itself."""
         if self.pair:
             self.pair.init(self)
-        if self.bond:
-            self.bond.init(self)
-        elif self.has_bonds and self.bonds:
-            self.console.warning("Bonds are defined but no bond style is set")
-            if self.special.lj[0] != 1.0 or self.special.coul[0] != 1.0:
-                self.console.warning("Likewise 1-2 special neighbor interactions != 1.0")
+        for bonded in self.style.kinds:
+            self._init_bonded(bonded)
         for kind in range(1, self.atom_types + 1):
             if self.mass[kind] == 0.0:
                 raise ScriptError(
@@ -180,3 +189,12 @@ class Simulation:
         check_integration(self)
         check_neighbor_settings(self)
         self.output.init(self)
+
+    def _init_bonded(self, kind: Kind) -> None:
+        if kind.style(self) is not None:
+            kind.style(self).init(self)
+        elif kind.total(self):
+            self.console.warning(f"{kind.plural.capitalize()} are defined but no {kind.name} style is set")
+            k = KINDS.index(kind)
+            if k < 3 and (self.special.lj[k] != 1.0 or self.special.coul[k] != 1.0):
+                self.console.warning(f"Likewise 1-{k + 2} special neighbor interactions != 1.0")

@@ -9,9 +9,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.model.atoms import Ints
 from pylmp.model.bond import bond_pairs
+from pylmp.model.topology import ANGLE, DIHEDRAL, entries
 from pylmp.text.number import shortest
 
 if TYPE_CHECKING:
@@ -56,7 +58,7 @@ def build_special(sim: Simulation) -> None:
     """Rebuild every atom's lists, and print what LAMMPS prints.
 
     1-3 lists are built only if their weights, or those of 1-4 pairs, differ from 1; 1-4 lists only if theirs do.
-    special_bonds angle (dihedral) yes leaves no 1-3 (1-4) neighbors: there are no angles here that could join them.
+    With special_bonds angle (dihedral) yes only those 1-3 (1-4) neighbors stay that an angle or dihedral joins.
     """
     settings = sim.special
     ones = (1.0, 1.0)
@@ -70,13 +72,13 @@ def build_special(sim: Simulation) -> None:
         lines.append(f"  special bond factors {name} " + " ".join(f"{shortest(w):<8}" for w in weights))
     for k in range(depth):
         lines.append(f"{int(paths[k].max(initial=0)):6d} = max # of 1-{k + 2} neighbors")
-    wanted = [True, third, fourth]
+    joined: list[Ints | None] = [None, None, None]
     for k, flag, name in ((1, settings.angle, "angle"), (2, settings.dihedral, "dihedral")):
-        if flag and wanted[k]:
+        if flag and k < depth:
+            joined[k] = _joined(sim, name)
             lines.append(f"  {int(paths[k].sum())} = # of 1-{k + 2} neighbors before {name} trim")
-            lines.append(f"  0 = # of 1-{k + 2} neighbors after {name} trim")
-            wanted[k] = False
-    longest = _fill(sim, near, wanted[:depth])
+            lines.append(f"  {_count_joined(near, k, joined[k])} = # of 1-{k + 2} neighbors after {name} trim")
+    longest = _fill(sim, near, joined[:depth])
     room = max(sim.atoms.max_special, longest, 1) + sim.extra_special
     sim.extra_special = 0  # it counts once
     sim.atoms.widen_special(room)
@@ -85,8 +87,42 @@ def build_special(sim: Simulation) -> None:
     sim.console.both("\n".join(lines) + "\n")
 
 
-def _fill(sim: Simulation, near: Neighborhood, wanted: list[bool]) -> int:
-    """Write the lists; returns the longest. wanted: whether neighbors one, two, three bonds away belong to them."""
+def _joined(sim: Simulation, name: str) -> Ints:
+    """Pairs of rows (i*n + j: j stays in the list of i) that an angle joins by its ends, a dihedral by its ends.
+
+    For special_bonds angle yes a dihedral a-b-c-d joins a to c, c to a and d to b. LAMMPS forgets b to d, and so must we.
+    """
+    ends = [(ANGLE, 0, 2), (ANGLE, 2, 0), (DIHEDRAL, 0, 2), (DIHEDRAL, 2, 0), (DIHEDRAL, 3, 1)]
+    if name == "dihedral":
+        ends = [(DIHEDRAL, 0, 3), (DIHEDRAL, 3, 0)]
+    keys = []
+    for kind, one, other in ends:
+        at = entries(sim, kind).at(sim)
+        at = at[(at[:, [one, other]] >= 0).all(axis=1)]
+        keys.append(at[:, one] * np.int64(sim.atoms.n) + at[:, other])
+    return np.unique(np.concatenate(keys))
+
+
+def _among(keys: Ints, sorted_keys: Ints) -> NDArray[np.bool_]:
+    at = np.minimum(np.searchsorted(sorted_keys, keys), len(sorted_keys) - 1)
+    return np.asarray(sorted_keys[at] == keys) if len(sorted_keys) else np.zeros(len(keys), bool)
+
+
+def _count_joined(near: Neighborhood, k: int, joined: Ints | None) -> int:
+    """How many paths of k + 1 bonds lead to a neighbor that stays."""
+    assert joined is not None
+    n = np.int64(len(near.count))
+    roots = np.unique(joined // n)
+    root, other = roots, roots
+    for _ in range(k + 1):
+        root, other = near.expand(root, other)
+        back = root == other
+        root, other = root[~back], other[~back]
+    return int(_among(root * n + other, joined).sum())
+
+
+def _fill(sim: Simulation, near: Neighborhood, wanted: list[Ints | None]) -> int:
+    """Write the lists; returns the longest. wanted: pairs of neighbors one, two, three bonds away that belong to them; None: all."""
     n = sim.atoms.n
     degree = near.count
     cost = np.cumsum(degree + near.paths()[len(wanted) - 1] + degree * degree)
@@ -99,16 +135,16 @@ def _fill(sim: Simulation, near: Neighborhood, wanted: list[bool]) -> int:
     return longest
 
 
-def _fill_rows(sim: Simulation, near: Neighborhood, rows: Ints, wanted: list[bool]) -> int:
+def _fill_rows(sim: Simulation, near: Neighborhood, rows: Ints, wanted: list[Ints | None]) -> int:
     atoms = sim.atoms
     roots, others, levels = [], [], []
     root, other = rows, rows
     for k, keep in enumerate(wanted):
         root, other = near.expand(root, other)
-        if keep:
-            roots.append(root)
-            others.append(other)
-            levels.append(np.full(len(root), k))
+        stays = slice(None) if keep is None else _among(root * np.int64(atoms.n) + other, keep)
+        roots.append(root[stays])
+        others.append(other[stays])
+        levels.append(np.full(len(root[stays]), k))
     root, other, level = np.concatenate(roots), np.concatenate(others), np.concatenate(levels)
     foreign = root != other
     root, other, level = root[foreign], other[foreign], level[foreign]

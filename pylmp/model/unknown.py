@@ -15,6 +15,12 @@ ELSEWHERE = {
     "gran/hooke gran/hooke/history gran/hertz/history granular lubricate colloid gauss lj/class2 lj/cubic mie/cut python tri/lj zbl",
     "bond": "angles bpm/rotational bpm/spring class2 fene fene/expand fene/nm gaussian gromos harmonic/restrain harmonic/shift "
     "harmonic/shift/cut lepton mesocnt mm3 morse nonlinear oxdna/fene rheo/shell special table",
+    "angle": "amoeba charmm class2 class2/p6 cosine cosine/buck6d cosine/delta cosine/periodic cosine/shift cosine/shift/exp "
+    "cosine/squared cosine/squared/restricted cross dipole fourier fourier/simple gaussian harmonic hybrid lepton mesocnt mm3 "
+    "mwlc quartic spica table",
+    "dihedral": "charmm charmmfsw class2 cosine/shift/exp cosine/squared/restricted fourier harmonic helix hybrid lepton "
+    "multi/harmonic nharmonic opls quadratic spherical table table/cut",
+    "improper": "amoeba class2 cossq cvff distance distharm fourier harmonic hybrid inversion/harmonic ring sqdistharm umbrella",
     "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo ave/time balance bond/break bond/create "
     "bond/react bond/swap box/relax controller deposit drag dt/reset efield evaporate external flow/gauss freeze gcmc gravity halt "
     "heat indent langevin/drude lineforce msst neb nph npt nve/noforce nve/sphere nvk nvt nvt/sllod orient/fcc "
