@@ -32,7 +32,9 @@ class Temp(Compute):
         self._dof = temperature_dof(sim, self.members(sim))
 
     def dof(self, sim: Simulation) -> float:
-        """Degrees of freedom, counted when the run was set up: atoms lost since then still count."""
+        """Degrees of freedom, counted when the run was set up: atoms lost since then still count. Anew for a dynamic group."""
+        if self.group in sim.groups.dynamic:
+            self.setup(sim)
         return self._dof
 
     def scalar(self, sim: Simulation) -> float:

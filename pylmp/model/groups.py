@@ -6,8 +6,11 @@ MAX_GROUPS = 32
 
 
 class Groups:
+    """names: their bits. dynamic: names of those whose members change during a run."""
+
     def __init__(self) -> None:
         self.names: dict[str, int] = {"all": 1}
+        self.dynamic: set[str] = set()
 
     def bit(self, name: str) -> int:
         """The mask bit of group name, 0 if there is no such group."""

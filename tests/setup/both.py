@@ -24,6 +24,10 @@ from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError
 
 
+# Times, memory and their table differ from run to run.
+_TIMED = re.compile(r"Per MPI rank memory|Loop time of|Performance: |[\d.]+% CPU|\w+ *\| |Section \||-+$")
+
+
 @dataclass
 class Made:
     """What a script left: arrays by name, the lines of its log, the sentence it ended with (empty: none)."""
@@ -119,6 +123,8 @@ def lines(log: str) -> list[str]:
         if line.startswith("ERROR"):
             break
         if line == "log none":
+            continue
+        if _TIMED.match(line):
             continue
         line = re.sub(r"CPU = [\d.]+ seconds", "CPU = T seconds", line)
         kept.append(re.sub(r" \(src/.*\)$", "", line))
