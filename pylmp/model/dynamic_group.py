@@ -76,7 +76,8 @@ class DynamicGroup(Fix):
                 raise ScriptError(f"Variable '{self.variable}' for dynamic group {self.group} does not exist")
             if style not in ("atom", "atomfile"):
                 raise ScriptError(
-                    f"Variable '{self.variable}' for dynamic group is of incompatible style", hint="an atom-style variable"
+                    f"Variable '{self.variable}' for dynamic group is of incompatible style",
+                    hint="an atom-style variable",
                 )
 
     def setup_pre_force(self, sim: Simulation) -> None:

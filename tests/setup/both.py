@@ -23,7 +23,6 @@ from pylmp.model.console import Console
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError
 
-
 # Times, memory and their table differ from run to run.
 _TIMED = re.compile(r"Per MPI rank memory|Loop time of|Performance: |[\d.]+% CPU|\w+ *\| |Section \||-+$")
 

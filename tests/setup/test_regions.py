@@ -78,7 +78,9 @@ def test_points_at_surfaces(seed: int) -> None:
         point, axis = random.uniform(-3, 3, 3).tolist(), random.uniform(-1, 1, 3).tolist()
         turned = rotated(x, tuple(point), unit(tuple(axis)), angle)
         turn = f" rotate v_turn {' '.join(map(str, point + axis))}"
-        variables = [f"variable {name} equal {value}" for name, value in (("turn", angle), ("u", shift[0]), ("w", shift[1]))]
+        variables = [
+            f"variable {name} equal {value}" for name, value in (("turn", angle), ("u", shift[0]), ("w", shift[1]))
+        ]
         for suffix, near in (
             ("", x), (" side out", x), (turn, turned), (turn + " move v_u NULL v_w", turned + [shift[0], 0.0, shift[1]]),
         ):  # fmt: skip
