@@ -75,8 +75,6 @@ class Run:
         ghost_cutoff(sim, warn=True, setup=True)
         self._rebuild(setup=True)
         self.builds = self.dangerous = 0
-        for hook in hooks(sim.fixes, "setup_pre_force"):
-            hook(sim)
         self._forces(sim.asking.take(sim.step), setup=True)
         for compute in sim.computes.values():
             compute.setup(sim)
@@ -116,7 +114,12 @@ class Run:
     def _forces(self, wanted: int, setup: bool) -> None:
         sim, timers = self.sim, self.timers
         self.forces.clear(sim)
-        if not setup:
+        if wanted:
+            sim.tally.step, sim.tally.wanted = sim.step, wanted
+        if setup:
+            for hook in hooks(sim.fixes, "setup_pre_force"):
+                hook(sim)
+        else:
             if self.breaks.cleared < len(self.breaks.pairs):
                 self.breaks.clear_flags(sim, self.forces.neighbors, self.ghosts)
             self._call("pre_force")

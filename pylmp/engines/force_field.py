@@ -137,8 +137,6 @@ class ForceField:
         self._pair_virial[:] = 0.0
         energy = self._pair_calls[bool(wanted)]() if self._pair_calls else 0.0
         self._sums[1] = energy
-        if wanted:
-            sim.tally.step, sim.tally.wanted = sim.step, wanted
 
     def bonded(self, sim: Simulation, wanted: int, setup: bool, breaks: Breaks) -> None:
         """Bonds of each style in turn; then what breaks is booked."""

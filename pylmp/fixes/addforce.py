@@ -63,7 +63,7 @@ class AddForce(ForceFix):
         if sim.step % self.interval:
             return
         atoms = sim.atoms
-        tallied = sim.tally.step == sim.step  # on other steps LAMMPS keeps the virial of the last one that was
+        tallied = self.virial_due(sim)
         self._energy, self._before = 0.0, np.zeros(3)
         if tallied:
             self._virial = np.zeros(6)

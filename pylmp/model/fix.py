@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from pylmp.model.settings import VIRIAL
+
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
     from pylmp.text.words import Args, Word
@@ -71,6 +73,11 @@ class Fix:
         sim.asking.block()
         yield
         sim.asking.again(following)
+
+    @staticmethod
+    def virial_due(sim: Simulation) -> bool:
+        """Virials are summed in this step; on others LAMMPS leaves a fix's as it was."""
+        return sim.tally.has(VIRIAL, sim.step)
 
     def members(self, sim: Simulation) -> Any:
         """(n,) bool: the owned atoms of this fix's group."""

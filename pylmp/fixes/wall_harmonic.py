@@ -1,0 +1,20 @@
+"""fix ID GROUP wall/harmonic FACE coord eps sigma cutoff ... [units lattice|box] [fld yes|no] [pbc yes|no]: harmonic walls.
+
+Its formula is in pylmp/model/wall_laws.py. Source: LAMMPS manual, fix_wall.html.
+"""
+
+from __future__ import annotations
+
+from pylmp.model import wall_laws
+from pylmp.model.registry import FIXES
+from pylmp.model.simulation import Simulation
+from pylmp.model.wall import Law, Wall
+
+
+@FIXES.register("wall/harmonic")
+class WallHarmonic(Wall):
+    style = "wall/harmonic"
+
+    def law(self, sim: Simulation, parameters: list[float], cutoff: float) -> Law:
+        eps, sigma = parameters
+        return wall_laws.harmonic(eps, sigma, cutoff)
