@@ -66,7 +66,8 @@ def lattice(sim: Simulation, args: Args) -> None:
         args.fail("Lattice orient vectors are not right-handed", args.owner)
     a1, a2, a3 = found.vectors
     volume = abs(dot(a1, cross(a2, a3)))
-    found.scale = math.pow(len(found.basis) / volume / scale, 1.0 / sim.dimension)
+    reduced = sim.units.name == "lj"  # there the number is a density
+    found.scale = math.pow(len(found.basis) / volume / scale, 1.0 / sim.dimension) if reduced else scale
     found.finish()
     sim.lattice = found
     sim.console.both(f"Lattice spacing in x,y,z = {' '.join(eight(s) for s in found.spacing)}\n")

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
+from pylmp.model.temperature import Temperature
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.printf import Format
 from pylmp.text.words import Args, Word
@@ -38,7 +39,7 @@ def _temp(sim: Simulation, thermo: Thermo, args: Args) -> None:
     if word.text not in sim.computes:
         args.fail(f"Could not find thermo_modify temperature compute {word.text}", word)
     compute = sim.computes[word.text]
-    if not hasattr(compute, "dof"):
+    if not isinstance(compute, Temperature):
         args.fail(f"Thermo_modify compute {word.text} does not compute temperature", word)
     thermo.temp = word.text
     if compute.bit != 1:

@@ -15,4 +15,4 @@ def uncompute(sim: Simulation, args: Args) -> None:
     word = args.word()
     if word.text not in sim.computes:
         args.fail(f"Could not find compute ID {word.text} to delete", word)
-    del sim.computes[word.text]
+    sim.computes.pop(word.text).removed(sim)

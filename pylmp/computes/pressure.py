@@ -12,6 +12,7 @@ from pylmp.model.atoms import Floats
 from pylmp.model.compute import Compute
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
+from pylmp.model.temperature import Temperature
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args
 
@@ -34,7 +35,7 @@ class Pressure(Compute):
         self.temperature = None if word.text == "NULL" else word.text
         if self.temperature is not None and self.temperature not in sim.computes:
             args.fail(f"Could not find compute pressure temperature ID {word.text}", word)
-        if self.temperature is not None and not hasattr(sim.computes[self.temperature], "dof"):
+        if self.temperature is not None and not isinstance(sim.computes[self.temperature], Temperature):
             args.fail(
                 f"Compute pressure temperature ID {word.text} does not compute temperature", word, hint="thermo_temp"
             )

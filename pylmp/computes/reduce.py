@@ -15,11 +15,12 @@ import numpy as np
 
 from pylmp.model.atoms import Floats
 from pylmp.model.compute import Compute, current
-from pylmp.model.reference import expand
+from pylmp.model.reference import KINDS, expand
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import total
-from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.model.variables import Variables
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
 _BIG = 1.0e20
@@ -33,10 +34,11 @@ class Reduce(Compute):
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
-        args.need(2)
+        args.need(self.words_needed)
+        self.read_region(sim, args)
         mode = args.word()
         if mode.text not in _MODES:
-            args.fail(f"Unknown compute reduce mode: {mode.text}", mode, hint=" ".join(_MODES))
+            args.fail(f"Unknown {args.what} mode: {mode.text}", mode, hint=" ".join(_MODES))
         self.mode = mode.text
         words = []
         while (word := args.peek()) is not None and (word.text in _PLAIN or re.match(r"[cfv]_", word.text)):
@@ -50,17 +52,18 @@ class Reduce(Compute):
                 args.need(1, key.text)
                 value = args.word()
                 if value.text not in ("peratom", "local"):
-                    args.fail(f"Unknown compute reduce inputs argument: {value.text}", value, hint="peratom or local")
+                    args.fail(f"Unknown {args.what} inputs argument: {value.text}", value, hint="peratom or local")
                 self.local_inputs = value.text == "local"
             elif key.text == "replace":
                 args.need(2, key.text)
                 if self.mode not in ("min", "max"):
-                    args.fail("Compute reduce replace requires min or max mode", key)
+                    args.fail(f"{args.what.capitalize()} replace requires min or max mode", key)
                 pairs.append((args.word(), args.word()))
             else:
-                args.fail(f"Unknown compute reduce keyword: {key.text}", key, hint="inputs replace")
+                args.fail(f"Unknown {args.what} keyword: {key.text}", key, hint="inputs replace")
         if not words:
             args.missing()
+        self.check_inputs(args)
         for values in ("per_atom", "local"):
             words = expand(sim, args, words, values)
         for pair in pairs:
@@ -73,11 +76,23 @@ class Reduce(Compute):
             self.vector = None  # type: ignore[method-assign,assignment]
         self.extensive_scalar = self.extensive_vector = self.mode in ("sum", "sumsq", "sumabs")
 
+    # ---- for reduce/region ------------------------------------------------------------------------------------
+
+    words_needed = 2
+
+    def read_region(self, sim: Simulation, args: Args) -> None:
+        """Take the region's ID."""
+
+    def check_inputs(self, args: Args) -> None:
+        """Refuse what this style does not take."""
+
+    # ---- inputs -----------------------------------------------------------------------------------------------
+
     def _replace(self, args: Args, pair: tuple[Word, Word], count: int) -> None:
         first, second = (args.as_integer(word) - 1 for word in pair)
         for word, which, at in ((pair[0], "first", first), (pair[1], "second", second)):
             if not 0 <= at < count:
-                args.fail(f"Invalid compute reduce replace {which} column index {at}", word, hint=f"1 to {count}")
+                args.fail(f"Invalid {args.what} replace {which} column index {at}", word, hint=f"1 to {count}")
         if first == second:
             args.fail("Compute {} replace columns must be different", pair[1])
         self.replace[first] = second
@@ -91,25 +106,35 @@ class Reduce(Compute):
         found = re.fullmatch(r"([cfv])_([A-Za-z0-9_]+)(?:\[(\d+)\])?", word.text)
         if not found:
             args.illegal(word)
-        if found[1] == "v":
-            raise Unsupported("LAMMPS has variables in compute reduce, pylmp's native engines do not", word.span)
         kind, name = found[1], found[2]
+        if kind == "v":
+            return self._variable(sim, args, word, name)
         source = self._source(sim, kind, name)
         what, shape = "compute" if kind == "c" else "fix", "local" if self.local_inputs else "per-atom"
         if source is None:
-            args.fail(f"{what.capitalize()} ID {name} for compute reduce does not exist", word)
+            args.fail(f"{what.capitalize()} ID {name} for {args.what} does not exist", word)
         if getattr(source, shape.replace("-", "_"), None) is None:
             hint = "inputs local" if not self.local_inputs and hasattr(source, "local") else ""
-            args.fail(f"Compute reduce {what} {name} does not calculate {shape} values", word, hint=hint)
+            args.fail(f"{args.what.capitalize()} {what} {name} does not calculate {shape} values", word, hint=hint)
         column, columns = int(found[3] or 0), int(getattr(source, "columns", 0))
         columns = 0 if columns == 1 else columns
         if column and not columns:
-            args.fail(f"Compute reduce {what} {name} does not calculate a {shape} array", word, hint=f"{kind}_{name}")
+            args.fail(f"{args.what.capitalize()} {what} {name} does not calculate a {shape} array", word, hint=f"{kind}_{name}")
         if columns and not column:
-            args.fail(f"Compute reduce {what} {name} does not calculate a {shape} vector", word, hint=f"{word.text}[1]")
+            args.fail(f"{args.what.capitalize()} {what} {name} does not calculate a {shape} vector", word, hint=f"{word.text}[1]")
         if column > columns:
-            args.fail(f"Compute reduce {what} {name} array is accessed out-of-range", word, hint=f"1 to {columns}")
+            args.fail(f"{args.what.capitalize()} {what} {name} array is accessed out-of-range", word, hint=f"1 to {columns}")
         return kind, name, column
+
+    def _variable(self, sim: Simulation, args: Args, word: Word, name: str) -> tuple[str, str, int]:
+        style = Variables(sim).style(name)
+        if style is None:
+            args.fail(f"Variable name {name} for {args.what} does not exist", word, hint=f"variable {name} atom ...")
+        if self.local_inputs:
+            args.fail("Compute {} inputs must be all local", word, hint="c_ID or f_ID with local values")
+        if style not in ("atom", "atomfile"):
+            args.fail(f"{args.what.capitalize()} variable {name} is not atom-style variable", word)
+        return "v", name, 0
 
     @staticmethod
     def _source(sim: Simulation, kind: str, name: str) -> Any:
@@ -117,16 +142,24 @@ class Reduce(Compute):
             return sim.computes.get(name)
         return next((fix for fix in sim.fixes if fix.id == name), None)
 
+    def init(self, sim: Simulation) -> None:
+        """What the inputs name is still there."""
+        for kind, name, _ in self.inputs:
+            there = Variables(sim).style(name) if kind == "v" else self._source(sim, kind, name)
+            if kind != "plain" and there is None:
+                what = "Variable name" if kind == "v" else f"{KINDS[kind].capitalize()} ID"
+                raise ScriptError(f"{what} {name} for compute {self.style} does not exist", hint="it was deleted")
+
     def _values(self, sim: Simulation, item: tuple[str, str, int]) -> Floats:
         kind, name, column = item
         if kind == "plain":
             array, axis = _PLAIN[name]
             return np.asarray(getattr(sim.atoms, array)[: sim.atoms.n, axis][self.members(sim)])
+        if kind == "v":
+            return Variables(sim).per_atom(name)[self.members(sim)]
         source = self._source(sim, kind, name)
-        if source is None:
-            raise ScriptError(f"{'Compute' if kind == 'c' else 'Fix'} ID {name} for compute reduce does not exist")
         if sim.step % getattr(source, "compatible_every", 1):
-            raise ScriptError(f"Fix {name} used in compute reduce not computed at compatible time")
+            raise ScriptError(f"Fix {name} used in compute {self.style} not computed at compatible time")
         values = current(sim, source, "local" if self.local_inputs else "per_atom")
         if column:
             values = values[:, column - 1]

@@ -6,6 +6,8 @@ All arrays share one capacity. Only ``x v f tag type mask`` mean anything in gho
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -36,6 +38,7 @@ class Atoms:
     num_special   (capacity, 3) int64: cumulative counts of 1-2, 1-3, 1-4 neighbors in special
     special       (capacity, max_special) int64: their IDs
     extra         name -> (capacity, ...) array: what a fix or style stores per atom; rides along with the atoms
+    newcomers     name -> function of (atoms, rows) that gives the rows of extra[name] for new atoms; 0 where there is none
     """
 
     x: Floats
@@ -70,6 +73,7 @@ class Atoms:
         self.bond_per_atom = bond_per_atom
         self.max_special = max_special
         self.extra: dict[str, NDArray[np.generic]] = {}
+        self.newcomers: dict[str, Callable[[Atoms, slice], Floats]] = {}
         for name in ("x", "v", "f"):
             setattr(self, name, np.zeros((0, 3)))
         for name in ("tag", "type", "mask", "molecule", "num_bond"):
@@ -118,9 +122,9 @@ class Atoms:
         rows = slice(new.start, new.stop)
         for name in _PER_ATOM:
             getattr(self, name)[rows] = 0
-        for array in self.extra.values():
-            array[rows] = np.zeros((), array.dtype)
         self.x[rows], self.type[rows], self.mask[rows] = x, type_, 1
+        for name, array in self.extra.items():
+            array[rows] = self.newcomers[name](self, rows) if name in self.newcomers else np.zeros((), array.dtype)
         self.n = new.stop
         return new
 

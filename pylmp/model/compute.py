@@ -30,6 +30,7 @@ class Compute:
 
     extensive_scalar, extensive_vector  thermo divides them by the number of atoms when norm is on
     tallies    what the engine must sum on the steps that ask for it: ENERGY | VIRIAL | ATOM_ENERGY | ATOM_VIRIAL
+    extra_dof dynamic   as compute_modify said: degrees of freedom taken off, whether they are counted at every evaluation
     invoked    kind -> (step, value) of the last evaluation of this run
     evaluated  kind -> value of the current block
     """
@@ -38,6 +39,8 @@ class Compute:
     extensive_scalar = False
     extensive_vector = False
     tallies = 0
+    extra_dof = 0.0
+    dynamic = False
     ready = False  # a run was set up since its definition
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
@@ -57,7 +60,14 @@ class Compute:
         """Called at the start of every run."""
 
     def setup(self, sim: Simulation) -> None:
-        """Called when a run is set up, after the first forces."""
+        """Called in the set-up of every run, once the forces are known."""
+
+    def removed(self, sim: Simulation) -> None:
+        """It was deleted: undo what its definition made."""
+
+    def group_varies(self, sim: Simulation) -> bool:
+        """Atoms come and go by the definition of its group."""
+        return self.group in sim.groups.dynamic
 
     def members(self, sim: Simulation) -> NDArray[np.bool_]:
         """(n,) bool: the owned atoms of this compute's group."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
-from pylmp.model.sums import total
+from pylmp.model.sums import total, totals
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
@@ -17,21 +17,26 @@ _SINGULAR = 1.0e-6  # determinant of an inertia tensor below which its axes are 
 Chosen = NDArray[np.bool_]
 
 
-def center_of_mass_velocity(sim: Simulation, chosen: Chosen) -> Floats:
-    """(3,) sum(m v)/M."""
-    m = sim.masses()[chosen]
-    v = sim.atoms.v[: sim.atoms.n][chosen]
-    whole = total(m)
-    return np.array([total(v[:, d] * m) / whole for d in range(3)])
+def center_of_mass_velocity(sim: Simulation, chosen: Chosen, mass: float | None = None) -> Floats:
+    """(3,) sum(m v)/M; 0 without atoms. mass: M where it was known before."""
+    return _mean(sim, chosen, sim.atoms.v[: sim.atoms.n][chosen], mass)
 
 
-def center_of_mass(sim: Simulation, chosen: Chosen) -> Floats:
-    """(3,) sum(m x)/M of unwrapped positions; 0 without atoms."""
+def center_of_mass(sim: Simulation, chosen: Chosen, mass: float | None = None) -> Floats:
+    """(3,) sum(m x)/M of unwrapped positions; 0 without atoms. mass: M where it was known before."""
+    return _mean(sim, chosen, unwrapped(sim, chosen), mass)
+
+
+def unwrapped(sim: Simulation, chosen: Chosen) -> Floats:
+    """(k, 3) positions of the chosen owned atoms with image flags undone."""
     atoms = sim.atoms
+    return sim.box.unwrap(atoms.x[: atoms.n][chosen], atoms.image[: atoms.n][chosen])
+
+
+def _mean(sim: Simulation, chosen: Chosen, values: Floats, mass: float | None) -> Floats:
     m = sim.masses()[chosen]
-    x = sim.box.unwrap(atoms.x[: atoms.n][chosen], atoms.image[: atoms.n][chosen])
-    whole = total(m)
-    return np.array([total(x[:, d] * m) / whole if whole > 0.0 else 0.0 for d in range(3)])
+    whole = total(m) if mass is None else mass
+    return totals(values * m[:, None]) / whole if whole > 0.0 else np.zeros(3)
 
 
 def temperature_dof(sim: Simulation, chosen: Chosen) -> float:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pylmp.model.fix import Fix
 from pylmp.model.quantity import Quantity
 from pylmp.model.registry import COMPUTES
+from pylmp.model.temperature import Temperature
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
@@ -62,7 +63,7 @@ class Thermostat(Fix):
         found: Any = sim.computes.get(word.text)
         if found is None:
             args.fail(self.unknown.format(word.text), word)
-        if not hasattr(found, "dof"):
+        if not isinstance(found, Temperature):
             args.fail(f"Fix_modify temperature compute {word.text} does not compute temperature", word, hint="compute temp")
         if found.bit != self.bit:
             sim.console.warning(f"Group for fix_modify temp != fix group: {self.group} vs {found.group}")
@@ -94,4 +95,7 @@ class Thermostat(Fix):
 
     def scale(self, sim: Simulation, rows: NDArray[np.bool_], factor: float) -> None:
         """Multiply the velocities of the chosen atoms, without those parts that the compute takes for a drift."""
+        compute = self.compute(sim)
+        kept = compute.remove_bias(sim, rows)
         sim.atoms.v[: sim.atoms.n][rows] *= factor
+        compute.restore_bias(sim, rows, kept)

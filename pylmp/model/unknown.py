@@ -29,11 +29,11 @@ ELSEWHERE = {
     "store/state temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
     "wall/region wall/srd widom",
     "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom chunk/atom chunk/spread/atom cluster/atom "
-    "cna/atom com com/chunk contact/atom coord/atom dihedral dihedral/local dilatation/atom dipole displace/atom erotate/sphere "
-    "event/displace fragment/atom gyration gyration/chunk group/group heat/flux hexorder/atom improper/local inertia/chunk ke/atom "
-    "msd msd/chunk msd/nongauss nbond orientorder/atom pair pair/local pe/atom pressure/cylinder property/atom property/chunk rdf "
-    "reduce/chunk reduce/region slice stress/atom stress/mop temp/asphere temp/chunk temp/com temp/deform temp/partial temp/profile "
-    "temp/ramp temp/region temp/rotate temp/sphere torque/chunk vacf vcm/chunk voronoi/atom xrd",
+    "cna/atom com/chunk contact/atom coord/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
+    "event/displace fragment/atom gyration/chunk group/group heat/flux hexorder/atom improper/local inertia/chunk  "
+    "msd/chunk msd/nongauss nbond orientorder/atom pair pair/local pe/atom pressure/cylinder property/chunk rdf "
+    "reduce/chunk slice stress/atom stress/mop temp/asphere temp/chunk temp/deform temp/profile "
+    "temp/ramp temp/rotate temp/sphere torque/chunk vcm/chunk voronoi/atom xrd",
     "dump": "atom/gz cfg custom/gz dcd h5md image local/gz molfile movie netcdf vtk xtc xyz yaml",
 }  # fmt: skip
 
