@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pylmp.model.pair import ARITHMETIC, GEOMETRIC, SIXTHPOWER
+from pylmp.model.mixing import ARITHMETIC, GEOMETRIC, SIXTHPOWER
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import Unsupported
@@ -26,13 +26,13 @@ def pair_modify(sim: Simulation, args: Args) -> None:
                 args.fail(
                     f"Unknown pair_modify mix argument: {rule.text}", rule, hint="geometric arithmetic sixthpower"
                 )
-            sim.pair.mix = rule.text
+            sim.pair.settings.mix = rule.text
         elif word.text == "shift":
             _need(args, word)
-            sim.pair.shift = args.yes()
+            sim.pair.settings.shift = args.yes()
         elif word.text == "tail":
             _need(args, word)
-            sim.pair.tail = args.yes()
+            sim.pair.settings.tail = args.yes()
         elif word.text in _ELSEWHERE:
             raise Unsupported(f"LAMMPS has pair_modify {word.text}, pylmp's native engines do not", word.span)
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pylmp.model.pair import Pair
+from pylmp.model.pair import Pair, PairPart
 from pylmp.model.registry import PAIRS, command
 from pylmp.model.simulation import Simulation
 from pylmp.model.unknown import unknown_style
@@ -25,7 +25,10 @@ def pair_style(sim: Simulation, args: Args) -> None:
     inner = Args("pair_style", args.rest(), name, style.manual)
     options = style.settings(sim, inner)
     before = sim.pair
-    sim.pair = Pair(style, options, sim.atom_types)
-    if before is not None and before.style is style:
-        sim.pair.given = {pair: (values, options.get("cut", cut)) for pair, (values, cut) in before.given.items()}
-        sim.pair.mix, sim.pair.shift, sim.pair.tail = before.mix, before.shift, before.tail
+    part = PairPart(style, options)
+    sim.pair = Pair(style.name, [part], sim.atom_types)
+    if before is not None and before.name == style.name:
+        (old,) = before.parts
+        part.given = {pair: (values, options.get("cut", cut)) for pair, (values, cut) in old.given.items()}
+        part.settings = sim.pair.settings = old.settings
+        sim.pair.acting = {pair: [part] for pair in part.given}

@@ -116,9 +116,9 @@ def single(
             continue
         history = memory[mine][:, : part.memory]
         force[mine], energy[mine] = part.evaluate(kinds[mine], r2[mine], dot[mine], history)
-        if part.style.subtract_pair and sim.pair is not None and sim.pair.law is not None:
-            table = sim.pair.table[sim.atoms.type[rows[mine]], sim.atoms.type[partners[mine]]]
-            _, pair_energy = sim.pair.law(r2[mine], 0.0, 1.0, tuple(table.T))
+        if part.style.subtract_pair and sim.pair is not None and sim.pair.working:
+            ends = sim.atoms.type[rows[mine]], sim.atoms.type[partners[mine]]
+            _, pair_energy = sim.pair.single(r2[mine], np.zeros(int(mine.sum())), *ends)
             energy[mine] = part.style.single(r2[mine], tuple(part.table[kinds[mine]].T), pair_energy)
     return force, energy
 

@@ -62,7 +62,7 @@ class Run:
     def setup(self) -> None:
         sim = self.sim
         if sim.pair is not None:
-            announce(sim, (Request(f"pair {sim.pair.style.name}"),))
+            announce(sim, (Request(f"pair {sim.pair.name}"),))
         elif sim.sort.every:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
         if not any(fix.integrates for fix in sim.fixes):

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.engines.pair_forces import PairForces
 from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.exact.bond import bond_loop
-from pylmp.kernels.exact.pair import pair_loop
 from pylmp.kernels.store import kernel, prepare
 from pylmp.model.bondlist import BondList, Breaks
 from pylmp.model.lost import check_bonded
@@ -32,17 +32,16 @@ class ForceField:
         mode = neighbor_loops.HALF if sim.newton_pair else neighbor_loops.HALF_OWNED
         self.neighbors = NeighborList(sim, mode) if sim.pair and sim.neighbor_cutoff > 0.0 else None
         self.bonds = [BondList(sim, part) for part in sim.bond.parts] if sim.bond else []
-        self._pair = {tally: self._compose_pair(sim, tally) for tally in (False, True)}
+        self._pairs = PairForces(sim, self.neighbors)
         self._bond = [
             {tally: self._compose_bond(sim, listed.part, tally) for tally in (False, True)} for listed in self.bonds
         ]
         self._moved = neighbor_loops.moved()
-        self._pair_calls: dict[bool, Call] = {}
         self._bond_calls: list[dict[tuple[bool, bool], Call]] = []
         self._moved_call: Call = lambda: 0.0
-        self._weights = np.array([1.0, *sim.special.lj])
         self._sums = np.zeros(2)
-        self._virial, self._pair_virial = np.zeros(6), np.zeros(6)
+        self._own = np.zeros(1)
+        self._virial = np.zeros(6)
         self._held = np.zeros((0, 3))
         self._held_box = sim.box.corners()
         self._limit2 = 0.0
@@ -52,31 +51,21 @@ class ForceField:
         functions = [*self.ghosts.functions(), self._moved]
         if self.neighbors:
             functions += self.neighbors.functions()
-        functions += [f for f in self._pair.values() if f is not None]
+        functions += self._pairs.functions()
         for listed, both in zip(self.bonds, self._bond, strict=True):
             functions += [*listed.functions(), *both.values()]
         for fix in sim.fixes:
             functions += fix.functions()
         prepare(functions, sim.console.screen)
 
-    def _compose_pair(self, sim: Simulation, tally: bool) -> Function | None:
-        pair = sim.pair
-        if self.neighbors is None or pair.law is None:
-            return None
-        weighted = bool((self.neighbors.policy == 2).any()) and sim.has_bonds
-        return pair_loop(
-            pair.law, pair.width, newton=sim.newton_pair, velocity=pair.velocity, one_type=sim.atom_types == 1,
-            weighted=weighted, tally=tally,
-        )  # fmt: skip
-
     def _compose_bond(self, sim: Simulation, part: BondPart, tally: bool) -> Function:
         style = part.style
-        subtract = style.subtract_pair and sim.pair.law is not None
+        alone = sim.pair.alone if style.subtract_pair else None
         return bond_loop(
-            part.law, part.table.shape[1], part.memory,
-            sim.pair.alone if subtract else None, sim.pair.width if subtract else 0,
-            newton=sim.newton_bond, velocity=style.velocity or (subtract and sim.pair.velocity), lower_id_first=style.lower_id_first,
-            reference=style.reference, can_break=part.can_break, one_type=sim.bond_types == 1, tally=tally,
+            part.law, part.table.shape[1], part.memory, alone.law if alone else None, alone.width if alone else 0,
+            newton=sim.newton_bond, velocity=style.velocity or (alone is not None and alone.velocity),
+            lower_id_first=style.lower_id_first, reference=style.reference, can_break=part.can_break,
+            one_type=sim.bond_types == 1, tally=tally, tabled=style.data is not None, watch=style.watch,
         )  # fmt: skip
 
     # ---- after each rebuild -----------------------------------------------------------------------------------
@@ -100,23 +89,15 @@ class ForceField:
 
     def _bind(self, sim: Simulation) -> None:
         atoms = sim.atoms
-        if self.neighbors is not None:
-            self._pair_calls = {
-                tally: kernel(function).bind(
-                    atoms.x, atoms.v, atoms.f, atoms.type, self.neighbors.first, self.neighbors.neighbors,
-                    sim.pair.table, len(sim.pair.table), self._weights, self._pair_virial, atoms.n, atoms.total,
-                )
-                for tally, function in self._pair.items()
-                if function is not None
-            }  # fmt: skip
-        nothing = np.zeros((0, 0, 0))
-        table = sim.pair.table if sim.pair else nothing
+        self._pairs.bind(sim)
+        alone = sim.pair.alone if sim.pair else None
+        table, data = (alone.table, alone.data) if alone else (np.zeros((0, 0, 0)), np.zeros(0))
         self._bond_calls = [
             {
                 (tally, may_break): kernel(both[tally]).bind(
                     atoms.x, atoms.v, atoms.f, atoms.tag, atoms.type, listed.bonds, listed.history, listed.count,
-                    listed.part.table, table, len(table), self._sums, self._virial, self._pair_virial, listed.broken,
-                    int(may_break), atoms.n,
+                    listed.part.table, listed.part.data, self._own, table, data, len(table), self._sums, self._virial,
+                    self._pairs.virial, listed.broken, listed.noted, int(may_break), atoms.n,
                 )
                 for tally in (False, True)
                 for may_break in (False, True)
@@ -134,9 +115,7 @@ class ForceField:
 
     def pairs(self, sim: Simulation, wanted: int) -> None:
         """wanted: what to sum besides forces (ENERGY | VIRIAL), 0 for nothing."""
-        self._pair_virial[:] = 0.0
-        energy = self._pair_calls[bool(wanted)]() if self._pair_calls else 0.0
-        self._sums[1] = energy
+        self._sums[1] = self._pairs.evaluate(sim, bool(wanted))
 
     def bonded(self, sim: Simulation, wanted: int, setup: bool, breaks: Breaks) -> None:
         """Bonds of each style in turn; then what breaks is booked."""
@@ -147,11 +126,13 @@ class ForceField:
             broken = calls[bool(wanted), not setup or listed.part.style.breaks_in_setup]()
             energy += self._sums[0]
             virial += self._virial
+            if listed.part.style.report is not None and (notes := int(listed.noted[0])):
+                listed.part.style.report(sim, listed.part, listed.bonds[listed.noted[1 : 1 + notes]])
             if broken:
                 breaks.record(sim, listed, int(broken))
         if wanted:
             sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
-            sim.tally.pair_virial[:] = self._pair_virial.tolist()
+            sim.tally.pair_virial[:] = self._pairs.virial.tolist()
             sim.tally.bond_virial[:] = virial.tolist()
 
     def anybody_moved(self, sim: Simulation) -> bool:

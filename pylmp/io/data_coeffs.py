@@ -62,7 +62,7 @@ def read_pair_coeffs(section: Section, types: int) -> None:
     sim, name = section.sim, section.name
     if section.set and sim.pair is None:
         section.file.fail(f"Must define pair_style before {name}", section.line, hint="pair_style before read_data")
-    warn_style(sim, "Pair", section.style, sim.pair.style.name if section.set else "zero")
+    warn_style(sim, "Pair", section.style, sim.pair.name if section.set else "zero")
     unlike = name == "PairIJ Coeffs"
     for words in section.rows(types * (types + 1) // 2 if unlike else types):
         kinds = [section.kind(word) for word in words[: 2 if unlike else 1]]

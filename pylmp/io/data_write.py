@@ -67,7 +67,7 @@ def _masses(sim: Simulation) -> Iterator[str]:
 
 def _pair_coeffs(sim: Simulation, pairs: bool) -> str:
     rows = (_coefficients(types, row) for types, row in sim.pair.write_coeffs(pairs))
-    return _section(f"{'PairIJ' if pairs else 'Pair'} Coeffs # {sim.pair.style.name}", rows)
+    return _section(f"{'PairIJ' if pairs else 'Pair'} Coeffs # {sim.pair.name}", rows)
 
 
 def _coefficients(types: tuple[int, ...], values: Sequence[float]) -> str:
@@ -76,8 +76,7 @@ def _coefficients(types: tuple[int, ...], values: Sequence[float]) -> str:
 
 def warn_unmixed(sim: Simulation) -> None:
     """LAMMPS's warning when pair coefficients of unlike types are lost, because a script gave them."""
-    unlike = [(i, j) for i, j in sim.pair.given if i != j] if sim.pair is not None else []
-    if unlike:
+    if sim.pair is not None and any(i != j for part in sim.pair.parts for i, j in part.given):
         sim.console.warning(_UNMIXED)
 
 

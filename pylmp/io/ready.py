@@ -13,7 +13,7 @@ def initialise(sim: Simulation, *requests: Request) -> None:
     """System init: every part checks itself; the log describes the neighbor lists, those of requests first."""
     sim.init()
     if sim.pair is not None:
-        announce(sim, (*requests, Request(f"pair {sim.pair.style.name}")))
+        announce(sim, (*requests, Request(f"pair {sim.pair.name}")))
 
 
 def wrap_atoms(sim: Simulation, ghosts: Ghosts | None = None) -> float:

@@ -27,6 +27,7 @@ class BondPart:
         self.style = style
         self.options = options
         self.table = np.zeros((types + 1, len(style.coeffs)))
+        self.data = np.zeros(1)
         self.mine = np.zeros(types + 1, np.uint8)
         self.law = style.law(options)
         self.can_break = style.can_break(options)

@@ -79,12 +79,13 @@ class Listing:
 
 
 class BondList(Listing):
-    """The bonds that one style evaluates. broken (capacity,) int64: room for the entries that break in one step."""
+    """The bonds that one style evaluates. broken (capacity,) int64: room for the entries that break in one step; noted
+    (1 + capacity,): how many of one evaluation its style wants reported, then these."""
 
     def __init__(self, sim: Simulation, part: BondPart) -> None:
         super().__init__(sim, part.mine)
         self.part = part
-        self.broken = np.zeros(len(self.bonds), np.int64)
+        self.broken, self.noted = np.zeros(len(self.bonds), np.int64), np.zeros(len(self.bonds) + 1, np.int64)
         self.misplaced: Listing | None = None
 
     def build(self, sim: Simulation, ghosts: Ghosts, tolerant: bool = False) -> None:
@@ -93,7 +94,7 @@ class BondList(Listing):
 
     def _grow(self, rows: int) -> None:
         super()._grow(rows)
-        self.broken = np.zeros(rows, np.int64)
+        self.broken, self.noted = np.zeros(rows, np.int64), np.zeros(rows + 1, np.int64)
 
     def copy_back(self, sim: Simulation) -> None:
         if not self.part.memory:

@@ -19,6 +19,14 @@ class BondScene:
 
 
 @dataclass(frozen=True)
+class PairScene:
+    """One pair style of the scene and its keywords."""
+
+    style: str
+    options: tuple[tuple[str, object], ...]
+
+
+@dataclass(frozen=True)
 class Scene:
     """Stated when a run begins; hashable. What is absent here is absent from the compiled code."""
 
@@ -29,7 +37,7 @@ class Scene:
     newton_bond: bool
     atom_types: int
     pair: str
-    pair_options: tuple[tuple[str, object], ...]
+    pairs: tuple[PairScene, ...]
     bonds: tuple[BondScene, ...]
     weighted: bool  # some 1-2, 1-3 or 1-4 pairs are scaled or left out
     ghost_velocity: bool
@@ -47,8 +55,8 @@ def state(sim: Simulation) -> Scene:
         newton_pair=sim.newton_pair,
         newton_bond=sim.newton_bond,
         atom_types=sim.atom_types,
-        pair=pair.style.name if pair else "none",
-        pair_options=tuple(sorted(pair.options.items())) if pair else (),
+        pair=pair.name if pair else "none",
+        pairs=tuple(PairScene(part.style.name, tuple(sorted(part.options.items()))) for part in pair.parts) if pair else (),
         bonds=tuple(
             BondScene(part.style.name, tuple(sorted(part.options.items())), part.can_break) for part in parts
         ),

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from pylmp.model.mixing import GEOMETRIC
+
 
 @dataclass
 class NeighborSettings:
@@ -31,6 +33,15 @@ class SortSettings:
 
     every: int = 1000
     bin_size: float = 0.0
+
+
+@dataclass
+class PairSettings:
+    """pair_modify: mixing rule of unlike types, energies shifted to zero at the cutoff, corrections for what lies beyond it."""
+
+    mix: str = GEOMETRIC
+    shift: bool = False
+    tail: bool = False
 
 
 @dataclass

@@ -77,6 +77,9 @@ class BondStyle:
     freeze         coefficients -> those with which evaluating one bond alone leaves its memory as it is
     writes         write_data prints its coefficients
     omp            the manual lists an /omp name: the same law
+    data           coefficients -> numbers that the law looks up; its c ends with where they begin, and with the array
+    watch          (r2, c) -> this bond must be reported
+    report         (sim, part, bonds (k, 3) rows and type) does so, in order: a warning, or a ScriptError
     release        its name in the LAMMPS release, "" if it has none
     optional_coeffs   how many of the last coefficients may be left out (0.0 then)
     """
@@ -102,6 +105,9 @@ class BondStyle:
     mixable: bool | None = False
     writes: bool = True
     omp: bool = False
+    data: Callable[[tuple[Any, ...]], Any] | None = None
+    watch: Callable[[Any, Any], Any] | None = None
+    report: Callable[[Simulation, Any, Any], None] | None = None
     release: str = ""
     optional_coeffs: int = 0
 
@@ -117,6 +123,10 @@ class PairStyle:
     row        (coefficients, cutoff, shift) -> the numbers the law receives
     tail       (coefficients, cutoff, atoms of type i, of type j) -> (energy, pressure) integrals, or None
     alone      options -> law of a pair that LAMMPS evaluates alone, for bond_style quartic; None: the same as law
+    reach      (coefficients, cutoff) -> distance at which the law ends
+    data       (coefficients, cutoff) -> numbers that the law looks up; its c ends with where they begin, and with the array
+    watch      (r2, c) -> this pair must be reported
+    report     (sim, part, row, row) raises the ScriptError of the first such pair
     """
 
     name: str
@@ -131,6 +141,10 @@ class PairStyle:
     restrictions: tuple[Restriction, ...] = ()
     tail: Callable[[tuple[float, ...], float, float, float], tuple[float, float]] | None = None
     alone: Callable[[Options], Law] | None = None
+    reach: Callable[[tuple[float, ...], float], float] = lambda coeffs, cut: cut
+    data: Callable[[tuple[Any, ...], float], Any] | None = None
+    watch: Callable[[Any, Any], Any] | None = None
+    report: Callable[[Simulation, Any, int, int], None] | None = None
     write: Callable[[tuple[float, ...], float, bool, Options], list[float]] = field(
         default=lambda coeffs, cut, whole, options: [*coeffs, cut] if whole else list(coeffs)
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from pylmp.laws import select, sqrt
-from pylmp.model.pair import mix_distance, mix_energy
+from pylmp.model.mixing import mix_distance, mix_energy
 from pylmp.model.registry import PAIRS
 from pylmp.model.style import Coeff, Law, Options, PairStyle, Restriction
 from pylmp.text.words import Args

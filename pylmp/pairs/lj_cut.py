@@ -9,7 +9,7 @@ import math
 from typing import Any
 
 from pylmp.laws import select
-from pylmp.model.pair import mix_distance, mix_energy
+from pylmp.model.mixing import mix_distance, mix_energy
 from pylmp.model.registry import PAIRS
 from pylmp.model.style import Coeff, Options, PairStyle
 from pylmp.text.words import Args

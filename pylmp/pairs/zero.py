@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pylmp.model.pair import mix_distance
+from pylmp.model.mixing import mix_distance
 from pylmp.model.registry import PAIRS
 from pylmp.model.style import Options, PairStyle
 from pylmp.text.words import Args

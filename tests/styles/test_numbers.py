@@ -46,14 +46,14 @@ PAIRS = {
 def test_pair(name: str, tmp_path) -> None:
     places = shifts(60, 0.8, 2.9)
     there = measure(PAIRS[name], places, V, tmp_path)
-    pair = force_field(PAIRS[name], tmp_path).pair
-    if pair.law is None:
+    (part,) = force_field(PAIRS[name], tmp_path).pair.parts
+    if part.law is None:
         assert not there["force"].any()
         return
     assert np.count_nonzero(there["force"][:, 0]) > 10
-    numbers = tuple(pair.table[1, 2].tolist())
+    numbers = tuple(part.table[1, 2].tolist())
     for r2, d, dot, force, energy in zip(squared(there["d"]).tolist(), *lists(there, "epair"), strict=True):
-        over_r, e = pair.law(r2, dot, 1.0, numbers)
+        over_r, e = part.law(r2, dot, 1.0, numbers)
         assert [over_r * x + 0.0 for x in d] == force
         assert e == energy
 
@@ -91,10 +91,11 @@ def test_quartic_takes_the_pair_interaction_out(tmp_path) -> None:
     there = measure(commands, shifts(60, 0.8, high, 3), V, tmp_path)
     sim = force_field(commands, tmp_path)
     (part,) = sim.bond.parts
-    c, row = tuple(part.table[1].tolist()), tuple(sim.pair.table[1, 2].tolist())
+    (lj,) = sim.pair.parts
+    c, row = tuple(part.table[1].tolist()), tuple(lj.table[1, 2].tolist())
     for r2, d, dot, force, energy in zip(squared(there["d"]).tolist(), *lists(there, "ebond"), strict=True):
         over_r, e, _, _ = part.law(r2, dot, (), c)
-        pair, _ = sim.pair.law(r2, 0.0, 1.0, row)
+        pair, _ = lj.law(r2, 0.0, 1.0, row)
         assert [(x * pair + x * over_r) + x * -pair for x in d] == force
         assert e == energy
     assert not there["epair"].any()

@@ -33,3 +33,23 @@ def row(count: int) -> Callable[[Any, int], tuple[float, ...]]:
         return rest(table, at) + (table[at + last],)
 
     return several
+
+
+def coefficients(width: int, tabled: bool = False, individual: bool = False) -> Callable[..., tuple[Any, ...]]:
+    """A function of (table, at, data, own, k) that reads what a law receives: width numbers of table from at on; behind them
+    data, where the law looks things up in a table; behind these own[k], where each interaction has a number of its own.
+    """
+    load = row(width)
+
+    def plain(table, at, data, own, k):  # type: ignore[no-untyped-def]
+        return load(table, at)
+
+    def with_data(table, at, data, own, k):  # type: ignore[no-untyped-def]
+        return load(table, at) + (data,)
+
+    def with_own(table, at, data, own, k):  # type: ignore[no-untyped-def]
+        return load(table, at) + (own[k],)
+
+    if tabled and individual:
+        raise ValueError("a law has a table or a number for each bond, not both")
+    return with_data if tabled else with_own if individual else plain

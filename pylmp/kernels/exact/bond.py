@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pylmp.kernels.exact import row
+from pylmp.kernels.exact import coefficients, row
 from pylmp.kernels.kinds import Function
 from pylmp.laws import sqrt
 
@@ -101,25 +101,33 @@ def copy_back(memory: int) -> Function:
 def bond_loop(
     law: Function, width: int, memory: int, pair_law: Function, pair_width: int, *,
     newton: bool, velocity: bool, lower_id_first: bool, reference: bool, can_break: bool, one_type: bool, tally: bool,
+    tabled: bool = False, individual: bool = False, watch: Function = None,
 ) -> Function:  # fmt: skip
     """Compose the loop around law(r2, dot, history, c) -> (force over r, energy, history, alive).
 
-    pair_law   not None: the pair interaction of the two atoms is taken out again (quartic's subtraction)
+    pair_law   not None: pair_law(r2, dot, pair_table, at, pair_data) is taken out again (quartic's subtraction)
     reference  the first remembered number is the length at the first evaluation
+    tabled     c ends with data, a table that the law looks things up in
+    individual c ends with own[entry], a number of this bond alone
+    watch      None, or watch(r2, c) -> this bond must be reported
     """
-    load, recall, load_pair = row(width), row(memory), row(pair_width)
-    subtract = pair_law is not None
+    load, recall = coefficients(width, tabled, individual), row(memory)
+    subtract, watched = pair_law is not None, watch is not None
 
     def forces(
         x: "f8*", v: "f8*", f: "f8*", tag: "i8*", type_: "i8*", bonds: "i8*", history: "f8*", count: "i8", table: "f8*",
-        pair_table: "f8*", types: "i8", sums: "f8*", virial: "f8*", pair_virial: "f8*", broken: "i8*", may_break: "i8",
-        n: "i8",
+        data: "f8*", own: "f8*", pair_table: "f8*", pair_data: "f8*", types: "i8", sums: "f8*", virial: "f8*",
+        pair_virial: "f8*", broken: "i8*", noted: "i8*", may_break: "i8", n: "i8",
     ) -> "f8":
-        """Adds to f; sums[0] += bond energy, sums[1] += pair energy taken out. broken: entries that broke, in order. Returns how many."""
+        """Adds to f; sums[0] += bond energy, sums[1] += pair energy taken out. broken: entries that broke, in order. Returns how many.
+
+        noted: how many bonds must be reported, then their entries in order.
+        """
         energy = 0.0
         taken = sums[1]
         breaks = 0
-        c = load(table, width)
+        notes = 0
+        c = load(table, width, data, own, 0)
         for b in range(count):
             kind = bonds[3 * b + 2]
             if kind <= 0:
@@ -143,8 +151,12 @@ def bond_loop(
                     + dy * (v[3 * i + 1] - v[3 * j + 1])
                     + dz * (v[3 * i + 2] - v[3 * j + 2])
                 )
-            if not one_type:
-                c = load(table, kind * width)
+            if individual or not one_type:
+                c = load(table, kind * width, data, own, b)
+            if watched:
+                if watch(r2, c):
+                    notes += 1
+                    noted[notes] = b
             force, e, remembered, alive = law(r2, dot, recall(history, memory * b), c)
             if can_break:
                 if not alive and may_break != 0:
@@ -169,7 +181,8 @@ def bond_loop(
                 energy = add(energy, e, mine, yours)
                 add_virial(virial, force, dx, dy, dz, mine, yours)
             if subtract:
-                pair_force, pe = pair_law(r2, dot, 1.0, load_pair(pair_table, (type_[i] * types + type_[j]) * pair_width))
+                at = (type_[i] * types + type_[j]) * pair_width
+                pair_force, pe = pair_law(r2, dot, pair_table, at, pair_data)
                 pair_force = -pair_force
                 if mine:
                     f[3 * i] += dx * pair_force
@@ -184,6 +197,7 @@ def bond_loop(
                     add_virial(pair_virial, pair_force, dx, dy, dz, mine, yours)
         sums[0] = energy
         sums[1] = taken
+        noted[0] = notes
         return float(breaks)
 
     def add(total: float, e: float, mine: bool, yours: bool) -> float:

@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
-from pylmp.kernels.exact import INDEX_MASK, SPECIAL_SHIFT, row
+from pylmp.kernels.exact import INDEX_MASK, SPECIAL_SHIFT, coefficients
 from pylmp.kernels.kinds import Function
 
 
 def pair_loop(
-    law: Function, width: int, *, newton: bool, velocity: bool, one_type: bool, weighted: bool, tally: bool
-) -> Function:
+    law: Function, width: int, *, newton: bool, velocity: bool, one_type: bool, weighted: bool, tally: bool,
+    tabled: bool = False, watch: Function = None, last: bool = True,
+) -> Function:  # fmt: skip
     """Compose the loop of one scene around law(r2, dot, factor, c) -> (force over r, energy).
+
+    tabled  c ends with data, a table that the law looks things up in
+    watch   None, or watch(r2, c) -> this pair must be reported
+    last    of the styles that act one after the other: the virial is summed over the forces of all
 
     The law is evaluated for every listed pair and yields zero beyond its cutoff: without the unpredictable branch the
     loop is 1.65 times faster, and adding zeros changes nothing.
     """
-    load = row(width)
+    load = coefficients(width, tabled)
+    watched = watch is not None
 
     def forces(
         x: "f8*", v: "f8*", f: "f8*", type_: "i8*", first: "i8*", neighbors: "i4*", table: "f8*", types: "i8",
-        weights: "f8*", virial: "f8*", n: "i8", total: "i8",
+        data: "f8*", weights: "f8*", virial: "f8*", noted: "i8*", n: "i8", total: "i8",
     ) -> "f8":
-        """Add pair forces to f (owned and ghost rows); returns the energy, adds to virial (6) when tallying."""
+        """Add pair forces to f (owned and ghost rows); returns the energy, adds to virial (6) when tallying.
+
+        noted: how many pairs must be reported, and the two rows of the first.
+        """
         energy = 0.0
-        c = load(table, (types + 1) * width)
+        c = load(table, (types + 1) * width, data, table, 0)
         for i in range(n):
             xi = x[3 * i]
             yi = x[3 * i + 1]
@@ -49,7 +58,13 @@ def pair_loop(
                         + dz * (v[3 * i + 2] - v[3 * j + 2])
                     )
                 if not one_type:
-                    c = load(table, (ti + type_[j]) * width)
+                    c = load(table, (ti + type_[j]) * width, data, table, 0)
+                if watched:
+                    if watch(r2, c):
+                        if noted[0] == 0:
+                            noted[1] = i
+                            noted[2] = j
+                        noted[0] += 1
                 force, e = law(r2, dot, factor, c)
                 fx += dx * force
                 fy += dy * force
@@ -74,7 +89,7 @@ def pair_loop(
             f[3 * i] = fx
             f[3 * i + 1] = fy
             f[3 * i + 2] = fz
-        if tally and newton:
+        if tally and newton and last:
             xx = yy = zz = xy = xz = yz = 0.0
             for i in range(total):
                 xx += x[3 * i] * f[3 * i]

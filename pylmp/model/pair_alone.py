@@ -1,0 +1,77 @@
+"""One pair of atoms alone, outside the neighbor list: what bond_style quartic takes out, what computes ask for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pylmp.kernels.exact import coefficients
+from pylmp.model.atoms import Floats, Ints
+
+if TYPE_CHECKING:
+    from pylmp.kernels.kinds import Function
+    from pylmp.model.pair import PairPart
+
+
+@dataclass(frozen=True)
+class Alone:
+    """law(r2, dot, table, at, data) -> (force over r, energy) of all styles together; table (nt+1, nt+1, width)."""
+
+    law: Function
+    table: Floats
+    data: Floats
+    velocity: bool
+
+    @property
+    def width(self) -> int:
+        return int(self.table.shape[2])
+
+
+def compose(parts: list[PairPart]) -> Alone:
+    """The styles' laws of a pair alone, one after the other over one table. parts: those that have a law, at least one."""
+    law = None
+    width, length = 0, 0
+    tables, datas = [], []
+    for part in parts:
+        tabled = part.style.data is not None
+        load = coefficients(part.width, tabled)
+        law = _first(part.alone, load) if law is None else _then(law, part.alone, load, width)
+        table = part.table.copy()
+        if tabled:
+            table[:, :, -1] += float(length)  # where its data begin
+            datas.append(part.data)
+            length += len(part.data)
+        tables.append(table)
+        width += part.width
+    data = np.concatenate(datas) if datas else np.zeros(1)
+    return Alone(law, np.concatenate(tables, axis=2), data, any(part.style.velocity for part in parts))
+
+
+def _first(alone: Function, load: Function) -> Function:
+    def law(r2: Any, dot: Any, table: Any, at: Any, data: Any) -> Any:
+        return alone(r2, dot, 1.0, load(table, at, data, table, 0))
+
+    return law
+
+
+def _then(before: Function, alone: Function, load: Function, offset: int) -> Function:
+    def law(r2: Any, dot: Any, table: Any, at: Any, data: Any) -> Any:
+        force, energy = before(r2, dot, table, at, data)
+        more_force, more_energy = alone(r2, dot, 1.0, load(table, at + offset, data, table, 0))
+        return force + more_force, energy + more_energy
+
+    return law
+
+
+def evaluate(parts: list[PairPart], r2: Floats, dot: Floats, first: Ints, second: Ints) -> tuple[Floats, Floats]:
+    """(force over r, energy) of many pairs of atoms of types first and second, without special weights."""
+    force, energy = np.zeros(len(r2)), np.zeros(len(r2))
+    for part in parts:
+        columns = (*part.table[first, second].T, *((part.data,) if part.style.data is not None else ()))
+        with np.errstate(all="ignore"):
+            more_force, more_energy = part.alone(r2, dot, 1.0, columns)
+        force += more_force
+        energy += more_energy
+    return force, energy
