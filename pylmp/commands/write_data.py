@@ -36,7 +36,7 @@ def write_data(sim: Simulation, args: Args) -> None:
     sim.console.both("System init for write_data ...\n")
     initialise(sim)
     wrap_atoms(sim)
-    if sim.atoms.n != sim.natoms:
+    if sim.atoms.n != sim.natoms and sim.output.thermo.lost == "error":
         args.fail(
             "Atom count is inconsistent, cannot write data file", args.owner,
             hint=f"{sim.natoms - sim.atoms.n} atoms were lost: they are outside the box",
