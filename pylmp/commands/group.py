@@ -124,7 +124,7 @@ def _include(sim: Simulation, args: Args, style: Word, bit: int) -> tuple[Mask, 
     word = args.word()
     if word.text != "molecule":
         args.fail(f"Unknown group include keyword {word.text}", word, hint="molecule")
-    if not sim.has_molecules:
+    if not sim.has_bonds:
         args.fail("Group include molecule command requires atom attribute molecule", word)
     atoms = sim.atoms
     molecule, mask = atoms.molecule[: atoms.n], atoms.mask[: atoms.n]
@@ -133,7 +133,7 @@ def _include(sim: Simulation, args: Args, style: Word, bit: int) -> tuple[Mask, 
 
 def _by_number(sim: Simulation, args: Args, style: Word, bit: int) -> tuple[Mask, Mask]:
     atoms = sim.atoms
-    if style.text == "molecule" and not sim.has_molecules:
+    if style.text == "molecule" and not sim.has_bonds:
         args.fail("Group molecule command requires atom attribute molecule", style)
     values = {"type": atoms.type, "id": atoms.tag, "molecule": atoms.molecule}[style.text][: atoms.n]
     return _match(args, style, values), _nobody(sim)

@@ -130,11 +130,6 @@ class Simulation:
         return bool(self.style.kinds)
 
     @property
-    def has_molecules(self) -> bool:
-        """The atom style stores molecule IDs."""
-        return self.atom_style not in ("atomic", "charge")
-
-    @property
     def ghost_velocity(self) -> bool:
         return self.comm.velocity
 
