@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
 
-from pylmp.text.diagnostic import ScriptError
+from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.span import Span
 from pylmp.text.words import Word
 
@@ -27,7 +27,8 @@ _COUNTS = (
 )  # fmt: skip
 _COUNT = re.compile(r"\s*(\d+)\s+(" + "|".join(name.replace(" ", r"\s+") for name in _COUNTS) + r")(\s.*)?", re.ASCII)
 _BOUND = re.compile(r"\s*([-+.\deE]+)\s+([-+.\deE]+)\s+([xyz])lo\s+\3hi(\s.*)?", re.ASCII)
-_TILTED = re.compile(r"\s*(?:[-+.\deE]+\s+){3}(xy\s+xz\s+yz|[abc]vec|abc\s+origin)(\s.*)?", re.ASCII)
+_TILTED = re.compile(r"\s*([-+.\deE]+)\s+([-+.\deE]+)\s+([-+.\deE]+)\s+xy\s+xz\s+yz(\s.*)?", re.ASCII)
+_GENERAL = re.compile(r"\s*(?:[-+.\deE]+\s+){3}([abc]vec|abc\s+origin)(\s.*)?", re.ASCII)
 SECTIONS = (
     "Masses", "Atoms", "Velocities", "Bonds", "Angles", "Dihedrals", "Impropers", "Ellipsoids", "Lines", "Triangles",
     "Bodies", "Pair Coeffs", "PairIJ Coeffs", "Bond Coeffs", "Angle Coeffs", "Dihedral Coeffs", "Improper Coeffs",
@@ -40,14 +41,14 @@ SECTIONS = (
 @dataclass
 class Header:
     """counts: by the words of the file ("atoms", "bond types", ...); lines: where each stands; units: "" if not said.
-    lo, hi: faces of the box, -0.5 and 0.5 where the file is silent, as in LAMMPS. tilted: line of a tilt, or None."""
+    lo, hi: faces of the box, -0.5 and 0.5 where the file is silent, as in LAMMPS. tilt: xy xz yz, None if not said."""
 
     counts: dict[str, int] = field(default_factory=dict)
     lines: dict[str, int] = field(default_factory=dict)
     lo: list[float] = field(default_factory=lambda: [-0.5] * 3)
     hi: list[float] = field(default_factory=lambda: [0.5] * 3)
     units: str = ""
-    tilted: int | None = None
+    tilt: list[float] | None = None
 
     def count(self, name: str) -> int:
         return self.counts.get(name, 0)
@@ -117,8 +118,13 @@ class DataFile:
             elif found := _BOUND.fullmatch(text):
                 d = "xyz".index(found[3])
                 result.lo[d], result.hi[d] = self.number(found[1], self.at), self.number(found[2], self.at)
-            elif _TILTED.fullmatch(text):
-                result.tilted = self.at
+            elif found := _TILTED.fullmatch(text):
+                result.tilt = [self.number(found[k], self.at) for k in (1, 2, 3)]
+            elif _GENERAL.fullmatch(text):
+                raise Unsupported(
+                    "LAMMPS has general triclinic boxes, pylmp's native engines do not", self.span(self.at),
+                    hint="xlo xhi, ylo yhi, zlo zhi and xy xz yz", manual="Howto_triclinic.html",
+                )  # fmt: skip
             elif text.strip():
                 self._check_section(self.at)
                 break

@@ -19,6 +19,7 @@ from pylmp.model.atoms import Atoms, Floats, Ints
 from pylmp.model.box import Box
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
+from pylmp.model.triclinic import Triclinic
 from pylmp.text.diagnostic import Unsupported
 
 _EDGE = 1.0e-6  # of the box length: how far outside a periodic face a wrapped atom may lie
@@ -103,12 +104,6 @@ class Reader:
                     self._check_kind(kind, header.lines[name])
         if header.count("bonds") and not header.count("bond types"):
             file.fail("Bonds defined but no bond types", header.lines["bonds"], hint="a line such as: 1 bond types")
-        if header.tilted is not None:
-            raise Unsupported(
-                "LAMMPS has triclinic boxes, pylmp's native engines do not",
-                file.span(header.tilted),
-                manual="Howto_triclinic.html",
-            )
         if sim.dimension == 2 and not header.lo[2] < 0.0 < header.hi[2]:
             file.fail("Read_data zlo/zhi for 2d simulation must straddle 0.0", 0, hint="-0.5 0.5 zlo zhi")
 
@@ -124,7 +119,11 @@ class Reader:
         sim, header, options = self.sim, self.header, self.options
         types = header.count("atom types") + options.atom_types
         bond_types = header.count("bond types") + options.bond_types
-        sim.box = Box(np.array(header.lo), np.array(header.hi), sim.boundary, sim.dimension)
+        lo, hi = np.array(header.lo), np.array(header.hi)
+        if header.tilt is None:
+            sim.box = Box(lo, hi, sim.boundary, sim.dimension)
+        else:
+            sim.box = Triclinic(lo, hi, sim.boundary, sim.dimension, np.array(header.tilt))
         announce(sim)
         sim.define_types(types, bond_types)
         slots = max(options.bond_per_atom, header.count("extra bond per atom"))
@@ -147,7 +146,7 @@ class Reader:
         lo, hi = np.minimum(box.lo, header.lo + shift), np.maximum(box.hi, header.hi + shift)
         if (lo < box.lo).any() or (hi > box.hi).any():
             sim.console.warning("Non-zero image flags with growing box can produce bad coordinates")
-        box.lo, box.hi = lo, hi
+        box.place(lo, hi)
         announce(sim)
         tags, molecules = sim.atoms.tag[: self.old], sim.atoms.molecule[: self.old]
         if self.options.add == "append":
@@ -252,8 +251,11 @@ class Reader:
                     hint=f"within {_FARTHEST:g} lengths",
                 )
         box.remap(x, image)
-        edge = np.where(box.periodic, _EDGE * box.length, 0.0)
-        inside: Mask = (x >= box.lo - edge) & (x < box.hi + edge)
+        lo, hi = box.frame
+        edge = np.where(box.periodic, _EDGE * (hi - lo), 0.0)
+        framed = x.copy()
+        box.enter(framed)
+        inside: Mask = (framed >= lo - edge) & (framed < hi + edge)
         return np.asarray(inside.all(axis=1))
 
     def _scan_bonds(self) -> None:

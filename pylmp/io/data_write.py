@@ -57,6 +57,8 @@ def _header(sim: Simulation, bonds: int) -> str:
     lines.append("")
     for axis, low, high in zip("xyz", sim.box.lo.tolist(), sim.box.hi.tolist(), strict=True):
         lines.append(f"{shortest(low)} {shortest(high)} {axis}lo {axis}hi")
+    if sim.box.triclinic:
+        lines.append(" ".join(map(shortest, sim.box.tilt.tolist())) + " xy xz yz")
     return "\n".join(lines) + "\n"
 
 

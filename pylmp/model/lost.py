@@ -63,14 +63,14 @@ def check_bonded(sim: Simulation) -> None:
 
 
 def warn_image_flags(sim: Simulation) -> None:
-    """Image flags that disagree along a bond."""
+    """Image flags that disagree along a bond: unwrapped, it is longer than half the box (where not periodic, than the box)."""
     rows, partners = _bonded(sim, "Bond atom missing in image check")
     if not len(rows):
         return
     atoms, box = sim.atoms, sim.box
-    d = box.minimum_image(atoms.x[rows] - atoms.x[partners])
-    unwrapped = box.unwrap(atoms.x[rows], atoms.image[rows]) - box.unwrap(atoms.x[partners], atoms.image[partners])
-    if np.any(np.abs(unwrapped - d) > 0.5 * box.length):
+    apart = box.unwrap(atoms.x[rows], atoms.image[rows]) - box.unwrap(atoms.x[partners], atoms.image[partners])
+    limit = np.where(box.periodic, 0.5, 1.0) * box.length
+    if np.any((np.abs(apart) > limit)[:, : sim.dimension]):
         sim.console.warning("Inconsistent image flags\nFor more information see https://docs.lammps.org/err0027")
 
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _SMALL = 1.0e-6  # of the box length: how far beyond the ghosts the grid reaches
 _MANY = 2**31 - 1  # LAMMPS counts bins in 32 bits
+_FLAT = 100.0  # bins, as large as they should be, that would fit into the neighbor cutoff of a box that flat
 EXCLUDE, ORDINARY, FLAGGED = 0, 1, 2
 
 
@@ -44,6 +45,9 @@ class Grid:
         self.width = [1.0, 1.0, 1.0]
         inverse = [1.0, 1.0, 1.0]
         per_bin = 1.0 / (0.5 * cutoff)
+        if (0.5 * cutoff / (highs - lows) > _FLAT).any():
+            page = "Errors_details.html#err0015"
+            raise ScriptError("Cannot use neighbor bins - box size << cutoff", hint="a thicker box", manual=page)
         for d in range(sim.dimension):
             lo, hi = float(lows[d]), float(highs[d])
             length = hi - lo

@@ -13,6 +13,8 @@ import numpy as np
 
 from pylmp.model.atoms import Atoms, Floats, Ints
 from pylmp.model.box import Boundary, Box
+from pylmp.model.console import Console
+from pylmp.text.diagnostic import ScriptError
 
 SKEW = 0.5  # of the box length along which a tilt goes: more is inefficient, and what fix deform flips
 _UNIT = np.zeros(3), np.ones(3)
@@ -51,12 +53,8 @@ class Triclinic(Box):
 
     @property
     def skewed(self) -> bool:
-        (xy, xz, yz), (lx, ly, _), periodic = self.tilt, self.length, self.periodic
-        return bool(
-            (abs(xy / lx) > SKEW and periodic[0])
-            or (abs(xz / lx) > SKEW and periodic[0])
-            or (abs(yz / ly) > SKEW and periodic[1])
-        )
+        (xy, xz, yz), (_, ly, lz), (_, y, z) = self.tilt, self.length, self.periodic
+        return bool((y and abs(xy / ly) > SKEW) or (z and (abs(xz) + abs(yz)) / lz > SKEW))
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
@@ -109,6 +107,11 @@ class Triclinic(Box):
         return corners.min(axis=0), corners.max(axis=0)
 
     # ---- changes ----------------------------------------------------------------------------------------------
+
+    def set_initial(self, console: Console) -> None:
+        if self.dimension == 2 and self.tilt[1:].any() and (self.lo < self.hi).all():
+            raise ScriptError("Cannot skew triclinic box in z for 2d simulation", hint="xz and yz are 0.0")
+        super().set_initial(console)
 
     def shrink(self, atoms: Atoms) -> None:
         """Extremes are sought among fractions. All atoms pass through positions, and are wrapped once more."""

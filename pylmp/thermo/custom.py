@@ -12,4 +12,6 @@ from pylmp.thermo.table import Thermo
 def custom(sim: Simulation, args: Args) -> Thermo:
     if not len(args):
         args.fail("Illegal thermo style custom command", hint="thermo_style custom step temp ...")
-    return Thermo(sim, "one", args.rest(), args)
+    table = Thermo(sim, "one", args.rest(), args)
+    table.custom = True
+    return table

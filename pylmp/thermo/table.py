@@ -29,6 +29,7 @@ class Thermo:
     lost            what to do when atoms are gone: error, warn or ignore
     formats headers by column number from 0: the user's; for_whole, for_real, for_line: the user's for all columns
     temp press pe   IDs of the computes it reads
+    custom          the columns are the user's; else the volume joins them in runs in which the box changes
     """
 
     sim: Simulation
@@ -45,12 +46,13 @@ class Thermo:
         self.for_real: Format | None = None
         self.for_line: list[Format] = []
         self.temp, self.press, self.pe = "thermo_temp", "thermo_press", "thermo_pe"
-        self.modified = self._warned = False
+        self.modified = self.custom = self._warned = False
         self.variables = Variables(sim)
         self._paces: dict[str, tuple[float, float]] = {}
         self._uses = ""  # what the columns of the last run needed
         self.columns: list[Column] = []
-        self.columns = [column(self, args, word) for word in expand(sim, args, words, "vector")]
+        self.chosen = [column(self, args, word) for word in expand(sim, args, words, "vector")]
+        self.columns = self.chosen
 
     # ---- what values are made of ----------------------------------------------------------------------------
 
@@ -142,6 +144,9 @@ class Thermo:
     def init(self) -> None:
         """Everything the columns name is still there."""
         self._paces = {}
+        self.columns = self.chosen
+        if not self.custom and self.sim.box.changing:
+            self.columns = [*self.chosen, column(self, Args("thermo_style", []), Word("vol"))]
         self._uses = "".join(entry.needs for entry in self.columns).replace("s", "p")
         references = [entry.reference for entry in self.columns if entry.reference is not None]
         for found in sorted(references, key=lambda found: "cfv".index(found.kind)):
