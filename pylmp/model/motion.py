@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
+from pylmp.model.jacobi import eigen
 from pylmp.model.sums import total, totals
 
 if TYPE_CHECKING:
@@ -92,8 +93,13 @@ def angular_velocity(
         rows = [[q / det for q in row] for row in inverse]
         a, b, c = (row[0] * momentum[0] + row[1] * momentum[1] + row[2] * momentum[2] for row in rows)
         return a, b, c
-    values, axes = np.linalg.eigh(np.array(i))
-    along = axes.T @ np.array(momentum)
-    turning = np.where(values > _SINGULAR * values.max(), along / np.where(values > 0.0, values, 1.0), 0.0)
-    a, b, c = (float(q) for q in axes @ turning)
+    values, (ex, ey, ez) = eigen([list(row) for row in i])
+    normal = ex[1] * ey[2] - ex[2] * ey[1], ex[2] * ey[0] - ex[0] * ey[2], ex[0] * ey[1] - ex[1] * ey[0]
+    if normal[0] * ez[0] + normal[1] * ez[1] + normal[2] * ez[2] < 0.0:
+        ez = [-q for q in ez]
+    body = []
+    for value, axis in zip(values, (ex, ey, ez), strict=True):
+        along = momentum[0] * axis[0] + momentum[1] * axis[1] + momentum[2] * axis[2]
+        body.append(along / value if value != 0.0 and value >= _SINGULAR * max(values) else 0.0)
+    a, b, c = (body[0] * ex[d] + body[1] * ey[d] + body[2] * ez[d] for d in range(3))
     return a, b, c
