@@ -72,6 +72,8 @@ class BondLocal(Compute):
             apart = atoms.x[rows] - atoms.x[partners]  # not the minimum image: LAMMPS's damping here takes none
             dot = apart[:, 0] * v[:, 0] + apart[:, 1] * v[:, 1] + apart[:, 2] * v[:, 2]
             memory = remembered(sim, rows, partners)
+            if not {"engpot", "force", "fx", "fy", "fz"}.isdisjoint(self.names):
+                report(sim, kinds, r2)
             over_r, energy = single(sim, rows, partners, kinds, r2, dot, memory)
             values |= {"engpot": energy, "force": values["dist"] * over_r}
             values |= {f"f{axis}": d[:, k] * over_r for k, axis in enumerate("xyz")}
@@ -121,6 +123,15 @@ def single(
             _, pair_energy = sim.pair.single(r2[mine], np.zeros(int(mine.sum())), *ends)
             energy[mine] = part.style.single(r2[mine], tuple(part.table[kinds[mine]].T), pair_energy)
     return force, energy
+
+
+def report(sim: Simulation, kinds: Ints, r2: Floats) -> None:
+    """Warnings of styles about bonds evaluated alone."""
+    for part in sim.bond.parts:
+        if part.style.report_alone is not None:
+            mine = np.flatnonzero((kinds > 0) & (part.mine[np.abs(kinds)] != 0))
+            seen = mine[np.asarray(part.style.watch(r2[mine], part.columns(kinds[mine])), bool)]
+            part.style.report_alone(sim, part, r2[seen], kinds[seen])
 
 
 def motion(sim: Simulation, rows: Ints, partners: Ints) -> dict[str, Floats]:

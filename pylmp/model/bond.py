@@ -46,10 +46,15 @@ class BondPart:
             self.table[kind] = values
             self.mine[kind] = 1
 
+    def columns(self, kinds: Ints) -> tuple[Any, ...]:
+        """What the law receives of many bonds at once."""
+        columns = tuple(self.style.freeze(tuple(self.table[kinds].T)))
+        return columns if self.style.data is None else (*columns, self.data)
+
     def evaluate(self, kinds: Ints, r2: Floats, dot: Floats, history: Floats) -> tuple[Floats, Floats]:
         """Force over r and energy of many bonds by the law itself. history: (bonds, memory)."""
         force, energy = np.zeros(len(r2)), np.zeros(len(r2))
-        columns = self.style.freeze(tuple(self.table[kinds].T))
+        columns = self.columns(kinds)
         with np.errstate(all="ignore"):
             result = self.law(r2, dot, tuple(history.T), columns)
         force[:], energy[:] = result[0], result[1]
@@ -107,6 +112,8 @@ class Bond:
         for part in self.parts:
             for restriction in part.style.restrictions:
                 restriction.check(sim, part.options, part.style.manual)
+            for caution in part.style.cautions(sim, part.options):
+                sim.console.warning(caution)
             if part.style.reference and part.longest_reference == 0.0:
                 part.longest_reference = longest_bond(sim)
         if any(all(part.mine[kind] == 0 for part in self.parts) for kind in self.given):
@@ -144,7 +151,9 @@ def _coefficients(args: Args, part: BondPart) -> tuple[float, ...]:
         at = args.words[args.at + wanted] if given > wanted else args.words[-1]
         names = " ".join(c.name for c in part.style.coeffs)
         args.fail("Incorrect args for bond coefficients", at, hint=f"bond_coeff TYPE {names}")
-    return tuple([args.number() for _ in range(given)] + [0.0] * (wanted - given))
+    values = tuple([args.number() for _ in range(given)] + [0.0] * (wanted - given))
+    part.style.check(args, values)
+    return values
 
 
 def bond_pairs(sim: Simulation, wanted: Callable[[Ints], Any]) -> tuple[Ints, Ints, Ints]:

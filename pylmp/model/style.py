@@ -80,6 +80,9 @@ class BondStyle:
     data           coefficients -> numbers that the law looks up; its c ends with where they begin, and with the array
     watch          (r2, c) -> this bond must be reported
     report         (sim, part, bonds (k, 3) rows and type) does so, in order: a warning, or a ScriptError
+    report_alone   (sim, part, r2 (k,), types (k,)) the same where bonds are evaluated one by one, outside the loop over all
+    check          (args, coefficients) fails where they do not fit together
+    cautions       (sim, options) -> warnings before every run
     release        its name in the LAMMPS release, "" if it has none
     optional_coeffs   how many of the last coefficients may be left out (0.0 then)
     """
@@ -108,6 +111,9 @@ class BondStyle:
     data: Callable[[tuple[Any, ...]], Any] | None = None
     watch: Callable[[Any, Any], Any] | None = None
     report: Callable[[Simulation, Any, Any], None] | None = None
+    report_alone: Callable[[Simulation, Any, Any, Any], None] | None = None
+    check: Callable[[Args, tuple[float, ...]], None] = lambda args, coeffs: None
+    cautions: Callable[[Simulation, Options], list[str]] = lambda sim, options: []
     release: str = ""
     optional_coeffs: int = 0
 

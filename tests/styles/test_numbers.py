@@ -66,6 +66,13 @@ BOND = "create_bonds single/bond 1 1 2\npair_style zero 2.0\npair_coeff * *\n"
 SPRINGS = {
     "harmonic": ("bond_style harmonic\nbond_coeff 1 32.5 1.13", 0.7, 2.0),
     "zero": ("bond_style zero\nbond_coeff 1 1.0", 0.7, 2.0),
+    "fene": ("bond_style fene\nbond_coeff 1 30 1.5 1.1 1.05", 0.7, 2.9),
+    "fene/expand": ("bond_style fene/expand\nbond_coeff 1 30 1.5 1.1 0.95 0.13", 0.7, 3.0),
+    "morse": ("bond_style morse\nbond_coeff 1 10.3 2.1 1.07", 0.7, 2.0),
+    "nonlinear": ("bond_style nonlinear\nbond_coeff 1 10.3 1.07 1.9", 0.7, 2.0),
+    "gromos": ("bond_style gromos\nbond_coeff 1 10.3 1.07", 0.7, 2.0),
+    "harmonic/shift": ("bond_style harmonic/shift\nbond_coeff 1 10.3 1.07 2.1", 0.7, 2.5),
+    "harmonic/shift/cut": ("bond_style harmonic/shift/cut\nbond_coeff 1 10.3 1.07 2.1", 0.7, 2.5),
     "quartic": ("bond_style quartic\nbond_coeff 1 1200 -0.55 0.25 1.3 34.6878", 0.8, 1.2999),
     "quartic long": ("bond_style quartic\nbond_coeff 1 81.7 -0.71 0.33 2.6 9.7", 0.8, 2.5999),
 }
