@@ -76,6 +76,7 @@ def _warn(sim: Simulation, thermo: Thermo, args: Args) -> None:
     word = args.word()
     if word.text == "reset":
         sim.console.warnings = 0
+        thermo.silent = False
     else:
         sim.console.limit = _WARN[word.text] if word.text in _WARN else args.as_integer(word)
 

@@ -32,6 +32,14 @@ class Console:
             return
         self.both(f"WARNING: {message}\n")
 
+    def overflow(self, silent: bool) -> bool:
+        """Say, unless silent, that warnings are no longer shown because there were too many; is that so?"""
+        if 0 < self.limit < self.warnings and not silent:
+            many = f"{self.warnings} vs {self.limit}"
+            self.both(f"WARNING: Too many warnings: {many}. All future warnings will be suppressed\n")
+            return True
+        return silent
+
     def flush(self) -> None:
         for stream in (self.screen_file, self.log_file):
             if stream is not None:

@@ -46,6 +46,7 @@ class Thermo:
         self.for_real: Format | None = None
         self.for_line: list[Format] = []
         self.temp, self.press, self.pe = "thermo_temp", "thermo_press", "thermo_pe"
+        self.silent = False  # said that there are too many warnings
         self.modified = self.custom = self._warned = False
         self.variables = Variables(sim)
         self._paces: dict[str, tuple[float, float]] = {}
@@ -177,6 +178,7 @@ class Thermo:
     def line(self) -> None:
         """Write the line of the current step. As in LAMMPS computes are evaluated first, then variables, then the rest."""
         self._check_lost()
+        self.silent = self.sim.console.overflow(self.silent)
         for entry in self.columns:
             self._invoke(entry)
         variables = {

@@ -25,6 +25,29 @@ def harmonic(r: Any, k: Any, r0: Any) -> Any:
     return k * (r - r0) ** 2
 
 
+def fene(r: Any, k: Any, r0: Any, epsilon: Any, sigma: Any, delta: Any = 0) -> Any:
+    """bond_fene.html and bond_fene_expand.html, short of the length at which the release holds the force."""
+    s = r - delta
+    wall = lennard_jones(s, epsilon, sigma) + epsilon if s < WALL * sigma else 0
+    return -k * r0**2 / 2 * mp.log(1 - (s / r0) ** 2) + wall
+
+
+def morse(r: Any, d: Any, alpha: Any, r0: Any) -> Any:
+    return d * (1 - mp.exp(-alpha * (r - r0))) ** 2
+
+
+def nonlinear(r: Any, epsilon: Any, r0: Any, longest: Any) -> Any:
+    return epsilon * (r - r0) ** 2 / (longest**2 - (r - r0) ** 2)
+
+
+def gromos(r: Any, k: Any, r0: Any) -> Any:
+    return k * (r**2 - r0**2) ** 2
+
+
+def harmonic_shift(r: Any, depth: Any, r0: Any, rc: Any) -> Any:
+    return depth / (r0 - rc) ** 2 * ((r - r0) ** 2 - (rc - r0) ** 2)
+
+
 def spring_pair(r: Any, k: Any, rc: Any, ka: Any = 0) -> Any:
     """pair_bpm_spring.html without damping."""
     return k * (rc - r) ** 2 / 2 + ka * (rc - r) ** 4 / 4 if r < rc else 0

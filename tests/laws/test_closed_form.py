@@ -9,7 +9,13 @@ import numpy as np
 import pytest
 
 from pylmp.bonds.bpm_spring_plastic import plastic
+from pylmp.bonds.fene import fene
+from pylmp.bonds.fene_expand import fene_expand
+from pylmp.bonds.gromos import gromos
 from pylmp.bonds.harmonic import harmonic
+from pylmp.bonds.harmonic_shift import shifted
+from pylmp.bonds.morse import morse
+from pylmp.bonds.nonlinear import nonlinear
 from pylmp.bonds.quartic import quartic
 from pylmp.pairs.bpm_spring import spring
 from pylmp.pairs.lj_cut import lj, row
@@ -33,6 +39,18 @@ ENERGIES = {
         f"quartic {kind} {c[0]:g}": (lambda r2, c, b=kind == "breakable": quartic(b)(r2, 0, (), c)[:2], formulas.quartic, c, 0.7, far)
         for kind, c, far in (
             ("breakable", QUARTIC, 1.29), ("unbreakable", QUARTIC, 2.0), ("unbreakable", DEEP, 2.0), ("unbreakable", SHALLOW, 2.0)
+        )
+    },
+    **{
+        name: (lambda r2, c, law=law: law(r2, 0, (), c)[:2], formula, c, near, far)
+        for name, law, formula, c, near, far in (
+            ("fene", fene, formulas.fene, (30.0, 1.5, 1.1, 1.05), 0.8, 1.42),
+            ("fene/expand", fene_expand, formulas.fene, (30.0, 1.5, 1.1, 0.95, 0.13), 0.85, 1.54),
+            ("morse", morse, formulas.morse, (10.3, 2.1, 1.07), 0.3, 3.0),
+            ("nonlinear", nonlinear, formulas.nonlinear, (10.3, 1.07, 1.9), 0.3, 2.9),
+            ("gromos", gromos, formulas.gromos, (10.3, 1.07), 0.3, 3.0),
+            ("harmonic/shift", shifted(False), formulas.harmonic_shift, (10.3, 1.07, 1.9), 0.3, 3.0),
+            ("harmonic/shift/cut", shifted(True), formulas.harmonic_shift, (10.3, 1.07, 1.9), 0.3, 1.89),
         )
     },
     "lj/cut": (lambda r2, c: lj(r2, 0, 1, lj_row(*c, 9)), formulas.lennard_jones, (1.3, 0.9), 0.75, 2.5),
@@ -93,6 +111,21 @@ def largest_term(name: str, r: float, c: tuple[float, ...]) -> float:
             2.0 / max(x, 1e-3) + 1.0 / max(abs(r - rc - b1), 1e-3) + 1.0 / max(abs(r - rc - b2), 1e-3)
         )
         return abs(u0) + wall + abs(k * x * x * (r - rc - b1) * (r - rc - b2)) * (1.0 + relative)
+    if name.startswith("fene"):
+        k, r0, epsilon, sigma, *delta = c
+        s = r - sum(delta)
+        q = 1.0 - (s / r0) ** 2
+        return k * r0 * r0 * (1.0 / q - math.log(q)) + 24.0 * epsilon * ((sigma / s) ** 12 + 1.0) * r / s
+    if name == "nonlinear":
+        x, longest = abs(r - c[1]), c[2]
+        return c[0] * longest**2 * (1.0 + r * r) / (longest**2 - x * x) ** 2
+    if name.startswith("harmonic/shift"):
+        return c[0] / (c[1] - c[2]) ** 2 * (1.0 + r * r)
+    if name == "morse":
+        z = math.exp(-c[1] * (r - c[2]))
+        return c[0] * (1.0 + z) ** 2 * (1.0 + c[1] * r)
+    if name == "gromos":
+        return c[0] * (r * r + c[1] ** 2) ** 2
     if name == "lj/cut":
         return 4.0 * c[0] * ((c[1] / r) ** 12 + (c[1] / r) ** 6)
     gap = abs(r - c[1])
