@@ -69,8 +69,8 @@ def squared(sim: Any, first: int, second: int) -> Any:
 
 def report_alone(sim: Any, part: Any, r2: Floats, kinds: Ints) -> None:
     """What compute bond/local says."""
-    for q, kind in zip(r2.tolist(), kinds.tolist(), strict=True):
-        sim.console.warning(f"FENE bond too long: {sim.step} {eight(float(np.sqrt(q)))}")
+    for r in np.sqrt(r2).tolist():
+        sim.console.warning(f"FENE bond too long: {sim.step} {eight(r)}")
 
 
 def cautions(name: str) -> Any:
