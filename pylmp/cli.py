@@ -148,6 +148,7 @@ class Session:
             else:
                 interpreter.run(decode(sys.stdin.buffer.read(), "<stdin>"), "<stdin>")
             code, finished = OK, True
+            sim.finish()
         except BaseException as error:
             code = self._explain(error, interpreter)
         finally:
@@ -167,6 +168,7 @@ class Session:
         if console.screen_file is None and not isinstance(error, Quit):
             console = Console(sys.stderr, console.log_file)
         if isinstance(error, Quit):
+            interpreter.sim.finish()
             return error.code
         if isinstance(error, ScriptError):
             console.both(render(error.diagnostic, interpreter.source) + "\n")

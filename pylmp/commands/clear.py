@@ -12,6 +12,5 @@ def clear(sim: Simulation, args: Args) -> None:
     """Forget everything but variables, the log and the working directory."""
     if len(args):
         args.fail(f"Illegal clear command: unexpected arguments but found {len(args)}", args.peek())
-    for dump in sim.output.dumps.values():
-        dump.close()
+    sim.finish()
     sim.clear()

@@ -19,6 +19,8 @@ def reset_timestep(sim: Simulation, args: Args) -> None:
         args.fail("Timestep must be >= 0", word)
     if any(dump.written_once for dump in sim.output.dumps.values()):
         args.fail("Cannot reset timestep with active dump - must undump first", args.owner, hint="undump first")
-    if any(fix.changes_box for fix in sim.fixes):
-        args.fail("Cannot reset timestep with a time-dependent fix defined", args.owner, hint="unfix first")
+    bound = next((fix for fix in sim.fixes if fix.time_dependent), None)
+    if bound is not None:
+        text = f"Cannot reset timestep with time-dependent fix {bound.style} defined"
+        args.fail(text, args.owner, hint=f"unfix {bound.id} first")
     sim.step = step

@@ -45,10 +45,10 @@ def run(sim: Simulation, args: Args) -> None:
         _segment(sim, RunPlan(steps, begin, end, setup), post=request.post or (request.every > 0 and left == 0))
         if sim.report.interrupted:
             raise KeyboardInterrupt
-        if not request.every and sim.halted:
-            break
         for word in request.commands:
             sim.script.execute(word.text)
+        if sim.halted:
+            break
         first = False
 
 

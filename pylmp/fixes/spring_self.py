@@ -44,10 +44,12 @@ class SpringSelf(Fix):
         home = np.zeros((atoms.capacity, 3))
         home[: atoms.n] = sim.box.unwrap(atoms.x[: atoms.n], atoms.image[: atoms.n])
         atoms.extra[self._name] = home
+        atoms.newcomers[self._name] = lambda atoms, rows: atoms.x[rows]
         self._energy = 0.0
 
     def removed(self, sim: Simulation) -> None:
         sim.atoms.extra.pop(self._name, None)
+        sim.atoms.newcomers.pop(self._name, None)
 
     def init(self, sim: Simulation) -> None:
         self.stiffness.check(sim, "fix spring/self", atoms=True)

@@ -31,8 +31,9 @@ class Fix:
     has_energy has_virial   fix_modify may count its scalar in the potential energy, its virial in the pressure
     in_energy in_virial     it did
     couples       its scalar is energy exchanged with a heat bath (thermo keyword ecouple)
-    extensive_scalar extensive_vector   thermo divides them by the number of atoms when norm is on
+    extensive_scalar extensive_vector   thermo divides them by the number of atoms when norm is on; a tuple: each component
     length        components of its vector
+    time_dependent   the step number cannot be reset while it is there
     compatible_every   what it offers is current on multiples of this step count only
     """
 
@@ -44,7 +45,8 @@ class Fix:
     has_virial: ClassVar[bool] = False
     couples: ClassVar[bool] = False
     extensive_scalar: bool = False
-    extensive_vector: bool = False
+    extensive_vector: bool | tuple[bool, ...] = False
+    time_dependent: ClassVar[bool] = False
     in_energy = in_virial = False
     compatible_every: int = 1
     every: int = 1

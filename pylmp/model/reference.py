@@ -52,10 +52,12 @@ def offers(source: Any, values: str) -> bool:
 
 
 def length(sim: Simulation, source: Any, values: str) -> int:
-    """How many components the vector of a compute or fix has, or columns its per_atom or local table (0: a plain vector)."""
+    """How many components the vector of a compute or fix has, or columns its array, per_atom or local table (0: a plain vector)."""
     if values == "vector":
         return int(source.length)
     columns = int(getattr(source, "columns", 0))
+    if values == "array":
+        return columns
     return 0 if columns == 1 else columns
 
 

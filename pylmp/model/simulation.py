@@ -98,6 +98,13 @@ class Simulation:
         self.natoms = 0  # LAMMPS's global count; atoms.n falls below it when atoms are lost
         self.skip_run = False
 
+    def finish(self) -> None:
+        """The script ends or starts over: fixes end what they write, dumps are closed."""
+        for fix in self.fixes:
+            fix.removed(self)
+        for dump in self.output.dumps.values():
+            dump.close()
+
     @property
     def box(self) -> Box:
         if self._box is None:

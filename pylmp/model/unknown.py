@@ -20,12 +20,12 @@ ELSEWHERE = {
     "dihedral": "charmm charmmfsw class2 cosine/shift/exp cosine/squared/restricted fourier harmonic helix hybrid lepton "
     "multi/harmonic nharmonic opls quadratic spherical table table/cut",
     "improper": "amoeba class2 cossq cvff distance distharm fourier harmonic hybrid inversion/harmonic ring sqdistharm umbrella",
-    "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo ave/time balance bond/break bond/create "
-    "bond/react bond/swap box/relax controller deposit drag dt/reset efield evaporate external flow/gauss freeze gcmc gravity halt "
+    "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo balance bond/break bond/create "
+    "bond/react bond/swap box/relax controller deposit drag dt/reset efield evaporate external flow/gauss freeze gcmc gravity "
     "heat langevin/drude lineforce msst neb nph npt nve/noforce nve/sphere nvk nvt nvt/sllod orient/fcc "
-    "oneway planeforce poems pour press/berendsen print property/atom python/invoke qeq/point rattle restrain rigid "
+    "oneway planeforce poems pour press/berendsen property/atom python/invoke qeq/point rattle restrain rigid "
     "rigid/small rigid/nve rigid/nvt setforce/spin shake shardlow spring/chunk spring/rg srd store/force "
-    "store/state temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
+    "temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
     "wall/region wall/srd widom",
     "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom chunk/atom chunk/spread/atom cluster/atom "
     "cna/atom com/chunk contact/atom coord/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "

@@ -30,6 +30,12 @@ class Variables:
         script = self._sim.script
         return float(script.variables.value(name, script.scope))
 
+    def vector(self, name: str) -> Floats:
+        """(k,) float64: the numbers of a vector-style variable now. Raises ScriptError with LAMMPS's sentence."""
+        script = self._sim.script
+        values: Floats = script.variables.vector(name, script.scope)
+        return values
+
     def per_atom(self, name: str) -> Floats:
         """(n,) float64: what an atom-style variable is worth now for each owned atom, in local order.
 

@@ -62,6 +62,8 @@ class Thermo:
         result = current(self.sim, found.source(self.sim), values)
         number = float(result) if at is None else (float(result[at]) if at < len(result) else 0.0)
         extensive = getattr(found.source(self.sim), f"extensive_{values}", False)
+        if isinstance(extensive, tuple):  # each component has its own answer
+            extensive = at is not None and extensive[at]
         return self.per_atom(number) if extensive else number
 
     def temperature(self) -> float:
