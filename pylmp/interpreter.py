@@ -201,8 +201,8 @@ ELSEWHERE = frozenset(
         "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
         "kspace_modify", "kspace_style", "labelmap", "mdi", "min_modify", "min_style", "minimize", "molecule", "neb",
         "ndx2group", "package", "pair_write", "partition", "plugin", "prd", "processors", "python", "read_dump",
-        "read_restart", "replicate", "rerun", "reset_atoms", "restart", "run_style", "shell", "suffix", "tad", "temper",
-        "thermo_log", "third_order", "timer", "write_coeff", "write_restart",
+        "replicate", "rerun", "reset_atoms", "run_style", "shell", "suffix", "tad", "temper",
+        "thermo_log", "third_order", "timer", "write_coeff",
     }
 )  # fmt: skip
 

@@ -5,6 +5,7 @@ Source: LAMMPS manual, angle_zero.html.
 
 from __future__ import annotations
 
+from pylmp.model.blob import Blob
 from pylmp.model.many_body import ManyBodyStyle
 from pylmp.model.registry import ANGLES
 from pylmp.text.words import Args
@@ -26,4 +27,4 @@ def read(args: Args, types: int) -> tuple[range, tuple[float, ...]]:
     return kinds, (args.number() if len(args) else 0.0,)
 
 
-ANGLES.add("zero", ManyBodyStyle("zero", "angle_zero.html", parse, read))
+ANGLES.add("zero", ManyBodyStyle("zero", "angle_zero.html", parse, read, Blob(coeffs=("theta0",), degrees=("theta0",))))

@@ -9,11 +9,16 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from pylmp.model.blob import FLAG, Blob
 from pylmp.model.style import Options, Restriction
 from pylmp.text.words import Args, Word
 
 ATTRIBUTES = ("id1", "id2", "time", "x", "y", "z", "x/ref", "y/ref", "z/ref")
 ONES = (1.0, 1.0, 1.0)
+RESTART = Blob(  # what bpm/spring/plastic keeps in restart files; other styles add to it
+    settings=(("overlay/pair", FLAG), ("break", FLAG), ("smooth", FLAG), ("normalize", FLAG)), alone=("overlay/pair", "break"),
+    defaults=(("overlay/pair", False), ("break", True), ("store/local", None)),
+)  # fmt: skip
 
 
 def parse(sim: Any, args: Args) -> Options:

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from pylmp.bonds.bpm import RESTRICTIONS, parse
+from pylmp.bonds.bpm import RESTART, RESTRICTIONS, parse
 from pylmp.laws import fabs, select, sqrt
 from pylmp.model.registry import BONDS
 from pylmp.model.style import BondStyle, Coeff, Law, Options
@@ -70,5 +70,6 @@ BONDS.add(
         freeze=lambda coeffs: (*coeffs[:3], math.inf),  # one bond alone does not yield
         writes=False,
         release="bpm/spring/plastic",
+        restart=RESTART,
     ),
 )

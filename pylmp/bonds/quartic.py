@@ -15,6 +15,7 @@ from __future__ import annotations
 from typing import Any
 
 from pylmp.laws import select, sqrt
+from pylmp.model.blob import Blob
 from pylmp.model.registry import BONDS
 from pylmp.model.style import BondStyle, Coeff, Law, Restriction, always
 
@@ -85,6 +86,7 @@ for name, release in (("quartic", "quartic"), ("quartic/breakable", "")):
             name=name, manual="bond_quartic.html", coeffs=COEFFS, law=lambda options: quartic(True),
             restrictions=RESTRICTIONS, can_break=always(True), on_break="zero", breaks_in_setup=True,
             subtract_pair=True, single=single, length=lambda coeffs, options: LENGTH, mixable=True, omp=True, release=release,
+            restart=Blob(name="quartic"),
         ),
     )  # fmt: skip
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from pylmp.model.blob import Blob
 from pylmp.model.registry import BONDS
 from pylmp.model.style import BondStyle, Coeff, Options
 from pylmp.text.words import Args
@@ -26,5 +27,6 @@ BONDS.add(
     BondStyle(
         name="zero", manual="bond_zero.html", coeffs=(Coeff("r0", "distance"),), law=lambda options: nothing,
         parse=parse, optional_coeffs=1, length=lambda coeffs, options: coeffs[0], release="zero",
+        restart=Blob(defaults=(("nocoeff", False),)),
     ),
 )  # fmt: skip

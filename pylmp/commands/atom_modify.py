@@ -20,6 +20,7 @@ def atom_modify(sim: Simulation, args: Args) -> None:
                 args.fail(f"Unknown atom_modify map argument {kind.text}", kind, hint="array hash yes no")
             if sim.has_box:
                 args.fail("Atom_modify map command after simulation box is defined", word)
+            sim.map_style = kind.text
         elif word.text == "sort":
             args.need(2)
             every, size = args.integer(), args.number()

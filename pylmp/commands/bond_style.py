@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pylmp.fixes.store_local import StoreLocal
+from pylmp.model import bond_memory
 from pylmp.model.bond import Bond, BondPart
 from pylmp.model.registry import BONDS, command
 from pylmp.model.simulation import Simulation
@@ -32,6 +33,7 @@ def bond_style(sim: Simulation, args: Args) -> None:
     for part in parts:
         if part.options.get("store/local"):
             _record(sim, part)
+        bond_memory.take(sim, part)
 
 
 def _forget(sim: Simulation) -> None:

@@ -19,3 +19,6 @@ def dimension(sim: Simulation, args: Args) -> None:
     if value not in (2, 3):
         args.fail(f"Invalid dimension argument: {word.text}", word, hint="2 or 3")
     sim.dimension = value
+    for compute in sim.computes.values():
+        if hasattr(compute, "extra_dof"):
+            compute.extra_dof = value

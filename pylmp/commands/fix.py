@@ -35,4 +35,7 @@ def fix(sim: Simulation, args: Args) -> None:
     else:
         if sim.fixes[place].group != group.text:
             sim.console.warning("Replacing a fix, but new group != old group")
+        new.born = sim.fixes[place].born
         sim.fixes[place] = new
+    if sim.waiting is not None:
+        sim.waiting.offer(sim, new)

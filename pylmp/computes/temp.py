@@ -1,6 +1,7 @@
 """compute ID GROUP temp: temperature, and the kinetic energy tensor.
 
-T = sum(m v^2) / (dof kB), dof = dimension*N - dimension. Source: LAMMPS manual, compute_temp.html.
+T = sum(m v^2) / (dof kB), dof = dimension*N - dimension; after read_restart of a file in two dimensions the default compute still
+subtracts the three of the time of its definition, as in LAMMPS. Source: LAMMPS manual, compute_temp.html.
 """
 
 from __future__ import annotations

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from pylmp.model.atoms import Floats
+from pylmp.model.bond_memory import PER_ATOM, PLACES, PLACES_ID
 from pylmp.model.fix import Fix
 
 
@@ -31,7 +32,9 @@ class StoreLocal(Fix):
         if any(name.endswith("/ref") for name in attributes):
             reference = np.zeros((sim.atoms.capacity, 3))
             reference[: sim.atoms.n] = sim.atoms.x[: sim.atoms.n]
-            sim.atoms.extra["bpm reference"] = reference
+            sim.atoms.extra[PLACES] = reference
+            if sim.waiting is not None and (kept := sim.waiting.take_atoms(sim, PLACES_ID, PER_ATOM, 3)) is not None:
+                reference[: sim.atoms.n] = kept
 
     def record(self, sim: Any, i: int, j: int) -> None:
         """Note the broken bond of rows i (the lower ID) and j; either may be a ghost."""
@@ -41,9 +44,9 @@ class StoreLocal(Fix):
             "id1": float(atoms.tag[i]), "id2": float(atoms.tag[j]), "time": float(sim.step),
             "x": middle[0], "y": middle[1], "z": middle[2],
         }  # fmt: skip
-        if "bpm reference" in atoms.extra:
+        if PLACES in atoms.extra:
             rows = sim.lists.ghosts.first[[int(atoms.tag[i]), int(atoms.tag[j])]]
-            ends = atoms.extra["bpm reference"][rows]
+            ends = atoms.extra[PLACES][rows]
             for name, a, b in zip(("x/ref", "y/ref", "z/ref"), ends[0], ends[1], strict=True):
                 values[name] = (float(a) + float(b)) / 2
         self._records.append([values[name] for name in self.attributes])

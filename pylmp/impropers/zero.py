@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pylmp.model.blob import Blob
 from pylmp.model.many_body import ManyBodyStyle
 from pylmp.model.registry import IMPROPERS
 from pylmp.text.words import Args
@@ -19,4 +20,4 @@ def read(args: Args, types: int) -> tuple[range, tuple[float, ...]]:
     return args.types(types), ()
 
 
-IMPROPERS.add("zero", ManyBodyStyle("zero", "improper_zero.html", parse, read))
+IMPROPERS.add("zero", ManyBodyStyle("zero", "improper_zero.html", parse, read, Blob()))

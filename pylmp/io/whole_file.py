@@ -7,21 +7,21 @@ import tempfile
 from pathlib import Path
 
 
-def write_whole(path: Path, text: str) -> None:
-    """Write text under a temporary name in the same folder, then give it its name. Raises OSError.
+def write_whole(path: Path, content: str | bytes) -> None:
+    """Write content under a temporary name in the same folder, then give it its name. Raises OSError.
 
     Whoever reads path sees the old file or the new one, also after a crash. An existing file keeps its permissions;
     what is no ordinary file (/dev/stdout, a pipe) is written to directly.
     """
     path = Path(path)
     if path.exists() and not path.is_file():
-        path.write_text(text)
+        path.write_bytes(_bytes(content))
         return
     path = path.resolve()
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(_bytes(content))
             stream.flush()
             os.fsync(stream.fileno())
         os.chmod(name, path.stat().st_mode & 0o7777 if path.exists() else 0o666 & ~_umask())
@@ -29,6 +29,10 @@ def write_whole(path: Path, text: str) -> None:
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
+
+
+def _bytes(content: str | bytes) -> bytes:
+    return content.encode("utf-8") if isinstance(content, str) else content
 
 
 def _umask() -> int:

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pylmp.model import bond_memory
 from pylmp.model.atoms import Floats, Ints
+from pylmp.model.fix import BIRTHS
 from pylmp.model.style import BondStyle, Options
 from pylmp.text.diagnostic import ScriptError
 
@@ -36,6 +38,9 @@ class BondPart:
         self.stored = not style.reference  # r0 of every bond is known
         self.longest_reference = 0.0  # largest r0 seen at the first init, for the communication cutoff
         self.stretch = 1.0
+        self.born = next(BIRTHS)  # in the order of what keeps something in restart files
+        self.memory_born = next(BIRTHS)
+        self.waits = False  # it came from a restart file, and takes what its bonds remember at the first init
 
     @property
     def memory(self) -> int:
@@ -114,8 +119,13 @@ class Bond:
                 restriction.check(sim, part.options, part.style.manual)
             for caution in part.style.cautions(sim, part.options):
                 sim.console.warning(caution)
+            bond_memory.take_breaks(sim, part)
+            if part.waits:
+                part.waits, part.memory_born = False, next(BIRTHS)
+                bond_memory.take(sim, part)
             if part.style.reference and part.longest_reference == 0.0:
-                part.longest_reference = longest_bond(sim)
+                stored = bond_memory.longest_reference(sim) if part.stored else 0.0
+                part.longest_reference = stored or longest_bond(sim)
         if any(all(part.mine[kind] == 0 for part in self.parts) for kind in self.given):
             says, hint = "Invoked bond equil distance on bond style none", "every bond type needs a style"
             raise ScriptError(says, hint=hint, manual="bond_hybrid.html")

@@ -10,6 +10,11 @@ class Clock:
         self._time = 0.0
         self._step = 0
 
+    @property
+    def booked(self) -> tuple[int, float]:
+        """The step at which time was booked last, and that time."""
+        return self._step, self._time
+
     def now(self, step: int, dt: float) -> float:
         """Time at step; dt is the step size in force."""
         return self._time + (step - self._step) * dt if step >= self._step else 0.0

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import count
 from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.model.settings import VIRIAL
 
@@ -18,6 +22,8 @@ STEP_HOOKS = (
     "initial_integrate", "post_integrate", "pre_exchange", "post_neighbor", "pre_force",
     "post_force", "final_integrate", "end_of_step", "post_run",
 )  # fmt: skip
+
+BIRTHS = count()  # LAMMPS's restart files list what fixes, computes and bond styles keep in the order of their definition
 
 
 class Fix:
@@ -51,12 +57,30 @@ class Fix:
     compatible_every: int = 1
     every: int = 1
     internal = False  # made by a style, not by a fix command
+    born = 0
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         """args holds the words after the style name; a subclass reads them all."""
         self.id = identity
         self.group = group
         self.bit = bit
+        self.born = next(BIRTHS)
+
+    # ---- restart files: a fix that keeps something in them says what, and takes it back when it is defined after read_restart
+
+    def state(self, sim: Simulation) -> bytes | None:
+        """What a restart file keeps of it, as LAMMPS lays it out; None: nothing."""
+        return None
+
+    def restore(self, sim: Simulation, state: bytes) -> None:
+        """Go on from state."""
+
+    def atom_state(self, sim: Simulation) -> NDArray[np.float64] | None:
+        """(n, k) what a restart file keeps of it with each atom; None: nothing."""
+        return None
+
+    def restore_atoms(self, sim: Simulation, values: NDArray[np.float64]) -> None:
+        """Go on from values (n, k)."""
 
     def removed(self, sim: Simulation) -> None:
         """It was deleted, or another takes its place: undo what its definition made."""

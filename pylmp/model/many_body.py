@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from pylmp.model.blob import Blob
 from pylmp.model.topology import Kind
 from pylmp.text.diagnostic import ScriptError
 
@@ -17,12 +18,13 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class ManyBodyStyle:
     """parse: words after the style's name -> does it take coefficients at all. read: words of KIND_coeff, the type range first, and the
-    number of types -> types and coefficients."""
+    number of types -> types and coefficients. restart: what a restart file holds of it."""
 
     name: str
     manual: str
     parse: Callable[[Args], bool]
     read: Callable[[Args, int], tuple[range, tuple[float, ...]]]
+    restart: Blob | None = None
 
 
 class ManyBody:

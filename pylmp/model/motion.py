@@ -40,9 +40,9 @@ def _mean(sim: Simulation, chosen: Chosen, values: Floats, mass: float | None) -
     return totals(values * m[:, None]) / whole if whole > 0.0 else np.zeros(3)
 
 
-def temperature_dof(sim: Simulation, chosen: Chosen) -> float:
-    """dimension*N - dimension."""
-    return float(sim.dimension * int(chosen.sum()) - sim.dimension)
+def temperature_dof(sim: Simulation, chosen: Chosen, fewer: int | None = None) -> float:
+    """dimension*N - fewer; fewer: the dimension, unless said otherwise."""
+    return float(sim.dimension * int(chosen.sum()) - (sim.dimension if fewer is None else fewer))
 
 
 def temperature_of(sim: Simulation, chosen: Chosen, dof: float) -> float:

@@ -50,6 +50,7 @@ class Output:
         self._sim = sim
         self._thermo: Any = None
         self._with_setup = True
+        self.restarts: Any = None  # the schedule of the restart command
         self._due = -1
         self._thermo_due = -1
 
@@ -91,6 +92,8 @@ class Output:
         """Write what is due before the first step of a run: dump frames, header, first thermo line."""
         for dump in self.dumps.values():
             dump.setup(sim)
+        if self.restarts is not None:
+            self.restarts.setup(sim)
         sim.asking.block()
         self.thermo.begin(memory=self._with_setup)
         self._schedule_thermo(sim)
@@ -103,6 +106,8 @@ class Output:
         for dump in self.dumps.values():
             if dump.due == sim.step:
                 dump.write_due(sim)
+        if self.restarts is not None and self.restarts.due == sim.step:
+            self.restarts.write(sim)
         if sim.step == self._thermo_due:
             sim.asking.block()
             self.thermo.line()
@@ -116,7 +121,8 @@ class Output:
         sim.asking.again(self._thermo_due)
 
     def _find_due(self) -> None:
-        self._due = min([self._thermo_due, *(dump.due for dump in self.dumps.values())])
+        restarts = [self.restarts.due] if self.restarts is not None else []
+        self._due = min([self._thermo_due, *restarts, *(dump.due for dump in self.dumps.values())])
 
     def due(self, sim: Simulation) -> bool:
         """Something is to be written at sim.step."""

@@ -60,7 +60,7 @@ class Simulation:
         self.boundary: tuple[tuple[str, str], ...] = (("p", "p"),) * 3
         self.newton_pair = self.newton_bond = True
         self.style = ATOM_STYLES["atomic"]
-        self.map_style = "yes"
+        self.map_style = ""  # the kind of ID map a script asked for; only restart files tell of it
         self._box: Box | None = None
         self.atoms = Atoms()
         self.atom_types = self.bond_types = self.angle_types = self.dihedral_types = self.improper_types = 0
@@ -96,6 +96,7 @@ class Simulation:
         self.halted = False  # a fix asked the run to end
         self.lost_bonds = "error"  # thermo_modify lost/bond
         self.natoms = 0  # LAMMPS's global count; atoms.n falls below it when atoms are lost
+        self.waiting: Any = None  # what a restart file brought for fixes to come
         self.skip_run = False
 
     def finish(self) -> None:
@@ -182,6 +183,8 @@ class Simulation:
                 raise ScriptError(
                     f"Not all per-type masses are set. Type {kind} is missing.", hint=f"mass {kind} 1.0", manual="mass.html"
                 )
+        if self.waiting is not None:
+            self.waiting.drop(self)
         self.box.deforming = any(fix.changes_box for fix in self.fixes)
         self.box.rate_group = 0  # unless fix deform gives one
         for region in self.regions.values():

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+from pylmp.model.blob import Blob
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
@@ -85,6 +86,7 @@ class BondStyle:
     cautions       (sim, options) -> warnings before every run
     release        its name in the LAMMPS release, "" if it has none
     optional_coeffs   how many of the last coefficients may be left out (0.0 then)
+    restart        what a restart file holds of it; unless a style without keywords says otherwise, its coefficients in order
     """
 
     name: str
@@ -116,6 +118,13 @@ class BondStyle:
     cautions: Callable[[Simulation, Options], list[str]] = lambda sim, options: []
     release: str = ""
     optional_coeffs: int = 0
+    restart: Blob | None = None
+
+    def __post_init__(self) -> None:
+        if self.restart is None and self.parse is no_options:
+            object.__setattr__(self, "restart", Blob())
+        if self.restart is not None and self.restart.kept and not self.restart.coeffs:
+            object.__setattr__(self, "restart", replace(self.restart, coeffs=tuple(c.name for c in self.coeffs)))
 
 
 @dataclass(frozen=True)
@@ -133,6 +142,7 @@ class PairStyle:
     data       (coefficients, cutoff) -> numbers that the law looks up; its c ends with where they begin, and with the array
     watch      (r2, c) -> this pair must be reported
     report     (sim, part, row, row) raises the ScriptError of the first such pair
+    restart    what a restart file holds of it
     """
 
     name: str
@@ -154,3 +164,4 @@ class PairStyle:
     write: Callable[[tuple[float, ...], float, bool, Options], list[float]] = field(
         default=lambda coeffs, cut, whole, options: [*coeffs, cut] if whole else list(coeffs)
     )
+    restart: Blob | None = None

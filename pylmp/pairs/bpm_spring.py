@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from pylmp.laws import select, sqrt
+from pylmp.model.blob import FLAG, Blob
 from pylmp.model.mixing import mix_distance, mix_energy
 from pylmp.model.registry import PAIRS
 from pylmp.model.style import Coeff, Law, Options, PairStyle, Restriction
@@ -111,5 +112,6 @@ PAIRS.add(
                 "comm_modify vel yes",
             ),
         ),
+        restart=Blob(settings=(("anharmonic", FLAG),), coeffs=("k", "cut", "gamma", "ka")),
     ),
 )  # fmt: skip

@@ -9,6 +9,7 @@ import math
 from typing import Any
 
 from pylmp.laws import select
+from pylmp.model.blob import FLAG, MIXING, NUMBER, Blob
 from pylmp.model.mixing import mix_distance, mix_energy
 from pylmp.model.registry import PAIRS
 from pylmp.model.style import Coeff, Options, PairStyle
@@ -73,5 +74,8 @@ PAIRS.add(
         name="lj/cut", manual="pair_lj_cut.html",
         coeffs=(Coeff("epsilon", "energy"), Coeff("sigma", "distance")),
         law=lambda options: lj, settings=settings, read=read, row=row, mix=mix, tail=tail,
+        restart=Blob(
+            settings=(("cut", NUMBER), ("shift", FLAG), ("mix", MIXING), ("tail", FLAG)), coeffs=("epsilon", "sigma", "cut"),
+        ),
     ),
 )  # fmt: skip

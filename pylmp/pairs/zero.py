@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from pylmp.model.blob import NUMBER, UNLESS, Blob
 from pylmp.model.mixing import mix_distance
 from pylmp.model.registry import PAIRS
 from pylmp.model.style import Options, PairStyle
@@ -39,5 +40,8 @@ PAIRS.add(
     PairStyle(
         name="zero", manual="pair_zero.html", coeffs=(), law=None, settings=settings, read=read,
         row=lambda coeffs, cut, shift: (), mix=mix,
+        restart=Blob(
+            settings=(("cut", NUMBER), ("nocoeff", UNLESS)), coeffs=("cut",), defaults=(("full", False),),
+        ),
     ),
 )  # fmt: skip

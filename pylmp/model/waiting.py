@@ -1,0 +1,106 @@
+"""What read_restart found for fixes that are not there yet. Each takes its own when it is defined; the first set-up drops the rest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from pylmp.text.diagnostic import ScriptError
+
+if TYPE_CHECKING:
+    from pylmp.model.atoms import Floats
+    from pylmp.model.fix import Fix
+    from pylmp.model.simulation import Simulation
+    from pylmp.text.words import Args
+
+
+@dataclass
+class _Entry:
+    """state: bytes of a global state, or the name under which the atoms carry theirs."""
+
+    identity: str
+    style: str
+    state: bytes | str
+    taken: bool = False
+
+
+class Waiting:
+    """globals, per_atom: entries in the order of the file."""
+
+    def __init__(self) -> None:
+        self.globals: list[_Entry] = []
+        self.per_atom: list[_Entry] = []
+
+    def add(self, identity: str, style: str, state: bytes) -> None:
+        self.globals.append(_Entry(identity, style, state))
+
+    def add_atoms(self, sim: Simulation, identity: str, style: str, values: Floats) -> None:
+        """values (capacity, k): they ride along with the atoms until somebody takes them."""
+        name = f"restart {identity} {style}"
+        sim.atoms.extra[name] = values
+        self.per_atom.append(_Entry(identity, style, name))
+
+    def take(self, sim: Simulation, identity: str, style: str) -> bytes | None:
+        """The global state kept for this ID and style."""
+        entry = _find(self.globals, identity, style)
+        if entry is None:
+            return None
+        _announce(sim, "global", entry)
+        assert isinstance(entry.state, bytes)
+        return entry.state
+
+    def take_atoms(self, sim: Simulation, identity: str, style: str, width: int) -> Floats | None:
+        """(n, width) what is kept per atom for this ID and style."""
+        entry = _find(self.per_atom, identity, style)
+        if entry is None:
+            return None
+        _announce(sim, "peratom", entry)
+        assert isinstance(entry.state, str)
+        values: Floats = sim.atoms.extra[entry.state][: sim.atoms.n]  # type: ignore[assignment]
+        if values.shape[1] != width:
+            raise ScriptError(
+                f"Fix {identity} settings not consistent with restart", manual="read_restart.html",
+                hint=f"the restart file holds {values.shape[1]} numbers an atom for it, not {width}",
+            )  # fmt: skip
+        return values
+
+    def offer(self, sim: Simulation, fix: Fix) -> None:
+        """A fix was defined: give it what is its own."""
+        if (state := self.take(sim, fix.id, fix.style)) is not None:
+            fix.restore(sim, state)
+        own = fix.atom_state(sim)
+        if own is not None and (values := self.take_atoms(sim, fix.id, fix.style, own.shape[1])) is not None:
+            fix.restore_atoms(sim, values)
+
+    def drop(self, sim: Simulation) -> None:
+        """The first set-up: say what nobody took."""
+        for what, entries in (("global", self.globals), ("peratom", self.per_atom)):
+            left = [entry for entry in entries if not entry.taken]
+            if left:
+                lines = "".join(f"  fix style: {entry.style}, fix ID: {entry.identity}\n" for entry in left)
+                sim.console.both(f"Unused restart file {what} fix info:\n{lines}")
+            elif entries:
+                sim.console.both(f"All restart file {what} fix info was re-assigned\n")
+        for entry in self.per_atom:
+            sim.atoms.extra.pop(str(entry.state), None)
+        sim.waiting = None
+
+
+def refuse_atoms(sim: Simulation, args: Args, says: str) -> None:
+    """Fail if the atoms carry what a fix is to take over: a command that changes atoms would spoil it."""
+    if sim.waiting is not None and sim.waiting.per_atom:
+        args.fail(
+            f"{says} after reading restart file with per-atom info", args.owner,
+            hint="the fixes that keep something per atom, then run 0, come before it",
+        )  # fmt: skip
+
+
+def _find(entries: list[_Entry], identity: str, style: str) -> _Entry | None:
+    return next((e for e in entries if (e.identity, e.style) == (identity, style) and not e.taken), None)
+
+
+def _announce(sim: Simulation, what: str, entry: _Entry) -> None:
+    entry.taken = True
+    sim.console.both(
+        f"Resetting {what} fix info from restart file:\n  fix style: {entry.style}, fix ID: {entry.identity}\n"
+    )
