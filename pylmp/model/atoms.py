@@ -199,13 +199,16 @@ class Atoms:
             self.special = np.pad(self.special, ((0, 0), (0, extra)))
             self.max_special = max_special
 
-    def drop_slot(self, row: int, slot: int, kind: str = "bond") -> None:
-        """Remove a slot of an owned atom: the last slot, with what it remembers, moves into the hole."""
+    def drop_slot(self, row: int, slot: int, kind: str = "bond", remember: bool = True) -> None:
+        """Remove a slot of an owned atom: the last slot, with what it remembers, moves into the hole.
+
+        remember: false leaves what bonds remember where it is.
+        """
         count, types, members = (getattr(self, name.format(kind)) for name in ("num_{}", "{}_type", "{}_atom"))
         last = int(count[row]) - 1
         types[row, slot] = types[row, last]
         members[row, slot] = members[row, last]
-        if kind == "bond":
+        if kind == "bond" and remember:
             self.bond_history[row, slot] = self.bond_history[row, last]
             self.bond_history[row, last] = 0.0
         count[row] = last

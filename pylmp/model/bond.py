@@ -41,6 +41,7 @@ class BondPart:
         self.born = next(BIRTHS)  # in the order of what keeps something in restart files
         self.memory_born = next(BIRTHS)
         self.waits = False  # it came from a restart file, and takes what its bonds remember at the first init
+        self.shifts = True  # when a bond is removed, what the bonds in other slots remember moves with them
 
     @property
     def memory(self) -> int:
@@ -120,6 +121,7 @@ class Bond:
             for caution in part.style.cautions(sim, part.options):
                 sim.console.warning(caution)
             bond_memory.take_breaks(sim, part)
+            part.shifts = not part.waits  # LAMMPS forgets to until the set-up after the first one
             if part.waits:
                 part.waits, part.memory_born = False, next(BIRTHS)
                 bond_memory.take(sim, part)

@@ -159,7 +159,7 @@ class Breaks:
                 used = int(atoms.num_bond[row])
                 slots = (atoms.bond_atom[row, :used] == partner) & (atoms.bond_type[row, :used] > 0)
                 if slots.any():
-                    atoms.drop_slot(row, int(np.argmax(slots)))
+                    atoms.drop_slot(row, int(np.argmax(slots)), remember=part.shifts)
 
     def clear_flags(self, sim: Simulation, neighbors: NeighborList | None, ghosts: Ghosts) -> None:
         """Pairs broken on the step before act from now on."""

@@ -59,7 +59,7 @@ def _header(sim: Simulation) -> dict[str, Any]:
         "newton pair": sim.newton_pair, "newton bond": sim.newton_bond,
         "boundary": [layout.FACES.index(face) for faces in box.boundary for face in faces],
         "least": [float(face) for faces in zip(box.least_lo, box.least_hi, strict=True) for face in faces],
-        "atom style": (sim.atom_style, []), "atoms": sim.natoms, "atom types": sim.atom_types,
+        "atom style": (sim.atom_style, []), "atoms": sim.atoms.n, "atom types": sim.atom_types,
         "triclinic": box.triclinic, "lo": box.lo.tolist(), "hi": box.hi.tolist(),
         "special lj": list(sim.special.lj), "special coul": list(sim.special.coul), "timestep": sim.dt,
         "atom id": 1, "map style": _map_style(sim), "map user": MAP_USER[sim.map_style],
