@@ -112,6 +112,7 @@ class Run:
             hook(sim)
 
     def _forces(self, wanted: int, setup: bool) -> None:
+        wanted = self.forces.able(wanted)
         sim, timers = self.sim, self.timers
         self.forces.clear(sim)
         if wanted:

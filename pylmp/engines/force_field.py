@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pylmp.engines.pair_forces import PairForces
+from pylmp.kernels.exact import SHARES
 from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.exact.bond import bond_loop
 from pylmp.kernels.store import kernel, prepare
+from pylmp.model.asking import ENERGY, SHARED, VIRIAL, level_of, levels
 from pylmp.model.bondlist import BondList, Breaks
 from pylmp.model.lost import check_bonded
 from pylmp.model.neighbor import NeighborList
@@ -25,7 +27,7 @@ Call = Callable[[], float]
 
 
 class ForceField:
-    """Two kernels a style: forces alone, and forces with energies and virial for the steps that ask for them."""
+    """Kernels of each style by level (model/asking.py): forces alone, and more for the steps that ask for it."""
 
     def __init__(self, sim: Simulation, ghosts: Ghosts) -> None:
         self.ghosts = ghosts
@@ -34,14 +36,15 @@ class ForceField:
         self.bonds = [BondList(sim, part) for part in sim.bond.parts] if sim.bond else []
         self._pairs = PairForces(sim, self.neighbors)
         self._bond = [
-            {tally: self._compose_bond(sim, listed.part, tally) for tally in (False, True)} for listed in self.bonds
+            {level: self._compose_bond(sim, listed.part, level) for level in levels(sim)} for listed in self.bonds
         ]
         self._moved = neighbor_loops.moved()
-        self._bond_calls: list[dict[tuple[bool, bool], Call]] = []
+        self._bond_calls: list[dict[tuple[int, bool], Call]] = []
         self._moved_call: Call = lambda: 0.0
         self._sums = np.zeros(2)
         self._own = np.zeros(1)
         self._virial = np.zeros(6)
+        self._shares = np.zeros((0, SHARES))
         self._held = np.zeros((0, 3))
         self._held_box = sim.box.corners()
         self._limit2 = 0.0
@@ -52,20 +55,20 @@ class ForceField:
         if self.neighbors:
             functions += self.neighbors.functions()
         functions += self._pairs.functions()
-        for listed, both in zip(self.bonds, self._bond, strict=True):
-            functions += [*listed.functions(), *both.values()]
+        for listed, mine in zip(self.bonds, self._bond, strict=True):
+            functions += [*listed.functions(), *mine.values()]
         for fix in sim.fixes:
             functions += fix.functions()
         prepare(functions, sim.console.screen)
 
-    def _compose_bond(self, sim: Simulation, part: BondPart, tally: bool) -> Function:
+    def _compose_bond(self, sim: Simulation, part: BondPart, level: int) -> Function:
         style = part.style
         alone = sim.pair.alone if style.subtract_pair else None
         return bond_loop(
             part.law, part.table.shape[1], part.memory, alone.law if alone else None, alone.width if alone else 0,
             newton=sim.newton_bond, velocity=style.velocity or (alone is not None and alone.velocity),
             lower_id_first=style.lower_id_first, reference=style.reference, can_break=part.can_break,
-            one_type=sim.bond_types == 1, tally=tally, tabled=style.data is not None, watch=style.watch,
+            one_type=sim.bond_types == 1, tally=level > 0, tabled=style.data is not None, watch=style.watch, share=level > 1,
         )  # fmt: skip
 
     # ---- after each rebuild -----------------------------------------------------------------------------------
@@ -92,17 +95,18 @@ class ForceField:
         self._pairs.bind(sim)
         alone = sim.pair.alone if sim.pair else None
         table, data = (alone.table, alone.data) if alone else (np.zeros((0, 0, 0)), np.zeros(0))
+        self._shares = np.zeros((atoms.total if self._pairs.shared else 0, SHARES))
         self._bond_calls = [
             {
-                (tally, may_break): kernel(both[tally]).bind(
+                (level, may_break): kernel(functions[level]).bind(
                     atoms.x, atoms.v, atoms.f, atoms.tag, atoms.type, listed.bonds, listed.history, listed.count,
                     listed.part.table, listed.part.data, self._own, table, data, len(table), self._sums, self._virial,
-                    self._pairs.virial, listed.broken, listed.noted, int(may_break), atoms.n,
+                    self._pairs.virial, self._shares, self._pairs.shares, listed.broken, listed.noted, int(may_break), atoms.n,
                 )
-                for tally in (False, True)
+                for level in functions
                 for may_break in (False, True)
             }
-            for listed, both in zip(self.bonds, self._bond, strict=True)
+            for listed, functions in zip(self.bonds, self._bond, strict=True)
         ]  # fmt: skip
         skin = sim.neighbor.skin
         self._limit2 = 0.25 * skin * skin
@@ -113,19 +117,28 @@ class ForceField:
     def clear(self, sim: Simulation) -> None:
         sim.atoms.f[: sim.atoms.total] = 0.0
 
+    def able(self, wanted: int) -> int:
+        """What of wanted this run can sum: shares of atoms only if a compute asked for them when it was set up, as in LAMMPS."""
+        return wanted if self._pairs.shared else wanted & (ENERGY | VIRIAL)
+
     def pairs(self, sim: Simulation, wanted: int) -> None:
-        """wanted: what to sum besides forces (ENERGY | VIRIAL), 0 for nothing."""
-        self._sums[1] = self._pairs.evaluate(sim, bool(wanted))
+        """wanted: what to sum besides forces (ENERGY | VIRIAL | ...), 0 for nothing."""
+        self._sums[1] = self._pairs.evaluate(sim, level_of(wanted))
 
     def bonded(self, sim: Simulation, wanted: int, setup: bool, breaks: Breaks) -> None:
         """Bonds of each style in turn; then what breaks is booked."""
         energy = 0.0
         virial = np.zeros(6)
+        level = level_of(wanted)
+        shares = np.zeros_like(self._shares)
         for listed, calls in zip(self.bonds, self._bond_calls, strict=True):
             self._virial[:] = 0.0
-            broken = calls[bool(wanted), not setup or listed.part.style.breaks_in_setup]()
+            self._shares[:] = 0.0
+            broken = calls[level, not setup or listed.part.style.breaks_in_setup]()
             energy += self._sums[0]
             virial += self._virial
+            if level == SHARED:
+                shares += self._shares
             if listed.part.style.report is not None and (notes := int(listed.noted[0])):
                 listed.part.style.report(sim, listed.part, listed.bonds[listed.noted[1 : 1 + notes]])
             if broken:
@@ -134,6 +147,8 @@ class ForceField:
             sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
             sim.tally.pair_virial[:] = self._pairs.virial.tolist()
             sim.tally.bond_virial[:] = virial.tolist()
+        if level == SHARED:
+            sim.tally.pair_shares, sim.tally.bond_shares = self._pairs.shares.copy(), shares
 
     def anybody_moved(self, sim: Simulation) -> bool:
         """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.kernels.exact import SHARES
 from pylmp.kernels.exact.pair import pair_loop
 from pylmp.kernels.store import kernel
+from pylmp.model.asking import SHARED, levels
 
 if TYPE_CHECKING:
     from pylmp.kernels.kinds import Function
@@ -20,9 +22,10 @@ Call = Callable[[], float]
 
 
 class PartForces:
-    """One style's kernels: forces alone, and with energy and virial.
+    """One style's kernels by level (model/settings.py): forces alone, with energy and virial, with the atoms' shares of them.
 
     virial   (6,) of this part alone; with newton pair on, where it is summed over the forces of all, the last part has it
+    shares   (rows, 7) of this part alone: energy and virial of each atom
     noted    how many pairs the style wants reported, the rows of the first
     """
 
@@ -32,41 +35,47 @@ class PartForces:
         self.weights = np.array([1.0, *sim.special.lj])
         self.virial = np.zeros(6)
         self.noted = np.zeros(3, np.int64)
-        self.functions = {tally: self._compose(sim, tally, last) for tally in (False, True)}
-        self.calls: dict[bool, Call] = {}
+        self.shares = np.zeros((0, SHARES))
+        self.functions = {level: self._compose(sim, level, last) for level in levels(sim)}
+        self.calls: dict[int, Call] = {}
 
-    def _compose(self, sim: Simulation, tally: bool, last: bool) -> Function:
+    def _compose(self, sim: Simulation, level: int, last: bool) -> Function:
         part, style = self.part, self.part.style
         weighted = bool((self.neighbors.policy == 2).any()) and sim.has_bonds
         return pair_loop(
             part.law, part.width, newton=sim.newton_pair, velocity=style.velocity, one_type=sim.atom_types == 1,
-            weighted=weighted, tally=tally, tabled=style.data is not None, watch=style.watch, last=last,
+            weighted=weighted, tally=level > 0, tabled=style.data is not None, watch=style.watch, last=last, share=level > 1,
         )  # fmt: skip
 
     def bind(self, sim: Simulation) -> None:
         atoms, part = sim.atoms, self.part
+        self.shares = np.zeros((atoms.total if SHARED in self.functions else 0, SHARES))
         self.calls = {
-            tally: kernel(function).bind(
+            level: kernel(function).bind(
                 atoms.x, atoms.v, atoms.f, atoms.type, self.neighbors.first, self.neighbors.neighbors, part.table,
-                len(part.table), part.data, self.weights, self.virial, self.noted, atoms.n, atoms.total,
+                len(part.table), part.data, self.weights, self.virial, self.shares, self.noted, atoms.n, atoms.total,
             )
-            for tally, function in self.functions.items()
+            for level, function in self.functions.items()
         }  # fmt: skip
 
-    def evaluate(self, sim: Simulation, tally: bool) -> float:
-        """Add this part's forces; its energy if tally. Raises ScriptError where the style cannot evaluate a pair."""
+    def evaluate(self, sim: Simulation, level: int) -> float:
+        """Add this part's forces; its energy from level 1 on. Raises ScriptError where the style cannot evaluate a pair."""
         self.virial[:] = 0.0
-        energy = self.calls[tally]()
+        if level == SHARED:
+            self.shares[:] = 0.0
+        energy = self.calls[level]()
         if self.part.style.report is not None and self.noted[0]:
             self.part.style.report(sim, self.part, int(self.noted[1]), int(self.noted[2]))
         return energy
 
 
 class PairForces:
-    """energies: of each part of sim.pair, in order; virial (6,): of all. Both of the last evaluation that tallied."""
+    """virial (6,), shares (rows, 7): of all parts, of the last evaluation that summed them."""
 
     def __init__(self, sim: Simulation, neighbors: NeighborList | None) -> None:
         self.virial = np.zeros(6)
+        self.shares = np.zeros((0, SHARES))
+        self.shared = SHARED in levels(sim)
         working = [part for part in sim.pair.parts if part.law is not None] if neighbors and sim.pair else []
         self.parts = [PartForces(sim, part, neighbors, part is working[-1]) for part in working if neighbors]
 
@@ -76,14 +85,18 @@ class PairForces:
     def bind(self, sim: Simulation) -> None:
         for part in self.parts:
             part.bind(sim)
+        self.shares = np.zeros((sim.atoms.total if self.shared else 0, SHARES))
 
-    def evaluate(self, sim: Simulation, tally: bool) -> float:
-        """Add the forces of all parts; the energy of all if tally."""
+    def evaluate(self, sim: Simulation, level: int) -> float:
+        """Add the forces of all parts; the energy of all from level 1 on."""
         total = 0.0
         self.virial[:] = 0.0
+        self.shares[:] = 0.0
         for forces in self.parts:
-            energy = forces.evaluate(sim, tally)
+            energy = forces.evaluate(sim, level)
             total += energy
             self.virial += forces.virial
+            if level == SHARED:
+                self.shares += forces.shares
             forces.part.energy = energy
         return total

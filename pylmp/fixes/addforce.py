@@ -84,6 +84,9 @@ class AddForce(ForceFix):
         f[rows] += push
         if tallied:
             self._virial = totals(np.stack([*work, a * x[:, 1], a * x[:, 2], b * x[:, 2]], axis=1))
+        if self.shares_due(sim):
+            self.virial_shares = np.zeros((atoms.n, 6))
+            self.virial_shares[rows] = np.stack([*work, a * x[:, 1], a * x[:, 2], b * x[:, 2]], axis=1)
 
     setup = post_force
 

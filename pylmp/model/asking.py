@@ -22,6 +22,20 @@ if TYPE_CHECKING:
 __all__ = ["ATOM_ENERGY", "ATOM_VIRIAL", "ENERGY", "VIRIAL", "Asking"]
 
 
+SHARED = 2  # the highest level
+
+
+def level_of(wanted: int) -> int:
+    """What a force evaluation has to do: 0 forces alone, 1 energy and virial too, SHARED each atom's share of them too."""
+    return SHARED if wanted & (ATOM_ENERGY | ATOM_VIRIAL) else 1 if wanted else 0
+
+
+def levels(sim: Simulation) -> tuple[int, ...]:
+    """The levels that this simulation can ask for."""
+    shared = any(level_of(compute.tallies) == SHARED for compute in sim.computes.values())
+    return (0, 1, SHARED) if shared else (0, 1)
+
+
 class Asking:
     """steps: what will be wanted (ENERGY | VIRIAL | ATOM_ENERGY | ATOM_VIRIAL) by step."""
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.model.settings import VIRIAL
+from pylmp.model.settings import ATOM_VIRIAL, VIRIAL
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
@@ -36,6 +36,7 @@ class Fix:
     minimizes     its post_force acts in minimize too
     has_energy has_virial   fix_modify may count its scalar in the potential energy, its virial in the pressure
     in_energy in_virial     it did
+    virial_shares   (n, 6) what each owned atom adds to its virial, on steps that sum shares
     couples       its scalar is energy exchanged with a heat bath (thermo keyword ecouple)
     extensive_scalar extensive_vector   thermo divides them by the number of atoms when norm is on; a tuple: each component
     length        components of its vector
@@ -54,6 +55,7 @@ class Fix:
     extensive_vector: bool | tuple[bool, ...] = False
     time_dependent: ClassVar[bool] = False
     in_energy = in_virial = False
+    virial_shares: Any = None
     compatible_every: int = 1
     every: int = 1
     internal = False  # made by a style, not by a fix command
@@ -104,6 +106,11 @@ class Fix:
     def virial_due(sim: Simulation) -> bool:
         """Virials are summed in this step; on others LAMMPS leaves a fix's as it was."""
         return sim.tally.has(VIRIAL, sim.step)
+
+    @staticmethod
+    def shares_due(sim: Simulation) -> bool:
+        """The atoms' shares of the virial are summed in this step."""
+        return sim.tally.has(ATOM_VIRIAL, sim.step)
 
     def members(self, sim: Simulation) -> Any:
         """(n,) bool: the owned atoms of this fix's group."""

@@ -10,6 +10,7 @@ import numpy as np
 from pylmp.kernels.exact import ghosts as loops
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.store import kernel
+from pylmp.model.atoms import Floats
 from pylmp.text.number import shortest
 
 if TYPE_CHECKING:
@@ -104,6 +105,13 @@ class Ghosts:
             atoms.x, atoms.v, atoms.mask, self.source, self.axis, self.sign, box.lo, box.hi, box.h, box.rate,
             box.rate_group, atoms.n, atoms.total,
         )  # fmt: skip
+
+    def fold(self, values: Floats) -> None:
+        """Add rows of ghosts to their sources, in place, in the order in which forces come back. values: (rows, k)."""
+        count = int(self.swaps[0])
+        for k in range(count - 1, -1, -1):
+            rows = slice(int(self.swaps[1 + k]), int(self.swaps[2 + k]))
+            np.add.at(values, self.source[rows], values[rows])
 
     def bind_reverse(self, sim: Simulation) -> Callable[[], float]:
         return kernel(self._reverse).bind(sim.atoms.f, self.source, self.swaps)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
+from pylmp.model.atoms import Floats
 from pylmp.model.mixing import GEOMETRIC
 
 
@@ -67,6 +70,7 @@ class Tally:
 
     wanted           what the last force evaluation summed: ENERGY | VIRIAL | ATOM_ENERGY | ATOM_VIRIAL
     step             of that evaluation
+    pair_shares bond_shares   (rows, 7) of owned and ghost atoms: energy, virial
     """
 
     step: int = -1
@@ -75,6 +79,8 @@ class Tally:
     bond: float = 0.0
     pair_virial: list[float] = field(default_factory=lambda: [0.0] * 6)
     bond_virial: list[float] = field(default_factory=lambda: [0.0] * 6)
+    pair_shares: Floats = field(default_factory=lambda: np.zeros((0, 7)))
+    bond_shares: Floats = field(default_factory=lambda: np.zeros((0, 7)))
 
     def has(self, what: int, step: int) -> bool:
         """Was what (ENERGY, ...) summed at step?"""

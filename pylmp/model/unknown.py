@@ -30,8 +30,8 @@ ELSEWHERE = {
     "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom chunk/atom chunk/spread/atom cluster/atom "
     "cna/atom com/chunk contact/atom coord/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
     "event/displace fragment/atom gyration/chunk group/group heat/flux hexorder/atom improper/local inertia/chunk  "
-    "msd/chunk msd/nongauss nbond orientorder/atom pair pair/local pe/atom pressure/cylinder property/chunk rdf "
-    "reduce/chunk slice stress/atom stress/mop temp/asphere temp/chunk temp/deform temp/profile "
+    "msd/chunk msd/nongauss nbond orientorder/atom pair pair/local pressure/cylinder property/chunk rdf "
+    "reduce/chunk slice stress/mop temp/asphere temp/chunk temp/deform temp/profile "
     "temp/ramp temp/rotate temp/sphere torque/chunk vcm/chunk voronoi/atom xrd",
     "dump": "atom/gz cfg custom/gz dcd h5md image local/gz molfile movie netcdf vtk xtc xyz yaml",
 }  # fmt: skip

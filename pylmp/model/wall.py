@@ -179,6 +179,9 @@ class Wall(Fix):
         n = sim.atoms.n
         x, f = sim.atoms.x[:n], sim.atoms.f[:n]
         members = self.members(sim)
+        shared = self.shares_due(sim)
+        if shared:
+            self.virial_shares = np.zeros((n, 6))
         energies: list[Floats] = []
         virials: list[list[Floats]] = [[], [], []]
         for number, wall in enumerate(self.walls):
@@ -198,6 +201,8 @@ class Wall(Fix):
             energies.append(energy)
             self._on_walls[number] = total(push if wall.high else -push)
             virials[wall.axis].append(push * delta)
+            if shared:
+                self.virial_shares[rows, wall.axis] += push * delta
         self._energy = total(np.concatenate(energies))
         if tallied:
             for axis, terms in enumerate(virials):

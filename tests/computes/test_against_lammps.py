@@ -50,15 +50,17 @@ COMPUTES = {
     "rf": "few reduce aveabs x vx", "rl": "all reduce sum c_bl[*] inputs local", "ro": "all reduce max c_bo[*] inputs local",
     "rt": "all reduce ave c_pt inputs local", "r1": "all reduce max x y vz c_nb replace 3 1 replace 4 2",
     "r2": "two reduce min x y vz c_nb replace 3 1", "r3": "all reduce min c_bl[1] c_bl[5] c_pl[1] replace 3 1 inputs local",
+    "ea": "all pe/atom", "eb": "two pe/atom bond", "sa": "all stress/atom NULL", "sb": "odd stress/atom t2 virial",
+    "rz": "all reduce sum c_ea c_eb c_sa[1] c_sa[4] c_sb[6]",
     "r4": "none reduce max x y", "r5": "none reduce min x", "r6": "none reduce ave x y", "r7": "none reduce sum x y",
 }  # fmt: skip
 SCALARS = "cb t2 k2 p2 p3 p4 p5 e2 e3 n1 n2 rb rc rt r5".split()
-VECTORS = "cb ca cf t2 p2 p3 rs rm ri ra rq rv rd re rf rl ro r1 r2 r3 r4 r6 r7".split()
+VECTORS = "cb ca cf t2 p2 p3 rs rm ri ra rq rv rd re rf rl ro rz r1 r2 r3 r4 r6 r7".split()
 OUTPUT = """
 thermo 5
 thermo_style custom step temp pe ke etotal press pxx pyz vol bonds {columns}
 thermo_modify format float %.17g lost/bond ignore
-dump d all custom 10 d.all id type x y z vx vy vz fx fy fz ix iy iz c_nb c_nt
+dump d all custom 10 d.all id type x y z vx vy vz fx fy fz ix iy iz c_nb c_nt c_ea c_eb c_sa[*] c_sb[*]
 dump_modify d format float %.17g
 dump l all local 5 d.local c_pl[*] c_bl[*]
 dump_modify l format float %.17g

@@ -13,6 +13,21 @@ SPECIAL_SHIFT = 30  # a neighbor entry carries its special kind (0 none, 1..3: 1
 INDEX_MASK = (1 << SPECIAL_SHIFT) - 1
 
 
+SHARES = 7  # numbers that an atom's share of a tally has: energy, virial xx yy zz xy xz yz
+
+
+def give_share(shares: "f8*", i: int, e: float, force: float, dx: float, dy: float, dz: float) -> None:
+    """Half an interaction's energy and virial to the atom of row i."""
+    at = SHARES * i
+    shares[at] += 0.5 * e
+    shares[at + 1] += 0.5 * (dx * dx * force)
+    shares[at + 2] += 0.5 * (dy * dy * force)
+    shares[at + 3] += 0.5 * (dz * dz * force)
+    shares[at + 4] += 0.5 * (dx * dy * force)
+    shares[at + 5] += 0.5 * (dx * dz * force)
+    shares[at + 6] += 0.5 * (dy * dz * force)
+
+
 def row(count: int) -> Callable[[Any, int], tuple[float, ...]]:
     """A function that reads count consecutive numbers of an array as a tuple."""
     if count == 0:

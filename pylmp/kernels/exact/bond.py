@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pylmp.kernels.exact import coefficients, row
+from pylmp.kernels.exact import coefficients, give_share, row
 from pylmp.kernels.kinds import Function
 from pylmp.laws import sqrt
 
@@ -101,7 +101,7 @@ def copy_back(memory: int) -> Function:
 def bond_loop(
     law: Function, width: int, memory: int, pair_law: Function, pair_width: int, *,
     newton: bool, velocity: bool, lower_id_first: bool, reference: bool, can_break: bool, one_type: bool, tally: bool,
-    tabled: bool = False, individual: bool = False, watch: Function = None,
+    tabled: bool = False, individual: bool = False, watch: Function = None, share: bool = False,
 ) -> Function:  # fmt: skip
     """Compose the loop around law(r2, dot, history, c) -> (force over r, energy, history, alive).
 
@@ -110,6 +110,7 @@ def bond_loop(
     tabled     c ends with data, a table that the law looks things up in
     individual c ends with own[entry], a number of this bond alone
     watch      None, or watch(r2, c) -> this bond must be reported
+    share      each atom gets its share of energy and virial
     """
     load, recall = coefficients(width, tabled, individual), row(memory)
     subtract, watched = pair_law is not None, watch is not None
@@ -117,11 +118,12 @@ def bond_loop(
     def forces(
         x: "f8*", v: "f8*", f: "f8*", tag: "i8*", type_: "i8*", bonds: "i8*", history: "f8*", count: "i8", table: "f8*",
         data: "f8*", own: "f8*", pair_table: "f8*", pair_data: "f8*", types: "i8", sums: "f8*", virial: "f8*",
-        pair_virial: "f8*", broken: "i8*", noted: "i8*", may_break: "i8", n: "i8",
+        pair_virial: "f8*", shares: "f8*", pair_shares: "f8*", broken: "i8*", noted: "i8*", may_break: "i8", n: "i8",
     ) -> "f8":
         """Adds to f; sums[0] += bond energy, sums[1] += pair energy taken out. broken: entries that broke, in order. Returns how many.
 
-        noted: how many bonds must be reported, then their entries in order.
+        shares, pair_shares: (rows, SHARES) added to where each atom gets its share. noted: how many bonds must be reported,
+        then their entries in order.
         """
         energy = 0.0
         taken = sums[1]
@@ -180,6 +182,11 @@ def bond_loop(
             if tally:
                 energy = add(energy, e, mine, yours)
                 add_virial(virial, force, dx, dy, dz, mine, yours)
+            if share:
+                if mine:
+                    give_share(shares, i, e, force, dx, dy, dz)
+                if yours:
+                    give_share(shares, j, e, force, dx, dy, dz)
             if subtract:
                 at = (type_[i] * types + type_[j]) * pair_width
                 pair_force, pe = pair_law(r2, dot, pair_table, at, pair_data)
@@ -195,6 +202,11 @@ def bond_loop(
                 if tally:
                     taken = add(taken, -pe, mine, yours)
                     add_virial(pair_virial, pair_force, dx, dy, dz, mine, yours)
+                if share:
+                    if mine:
+                        give_share(pair_shares, i, -pe, pair_force, dx, dy, dz)
+                    if yours:
+                        give_share(pair_shares, j, -pe, pair_force, dx, dy, dz)
         sums[0] = energy
         sums[1] = taken
         noted[0] = notes

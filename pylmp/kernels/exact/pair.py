@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from pylmp.kernels.exact import INDEX_MASK, SPECIAL_SHIFT, coefficients
+from pylmp.kernels.exact import INDEX_MASK, SPECIAL_SHIFT, coefficients, give_share
 from pylmp.kernels.kinds import Function
 
 
 def pair_loop(
     law: Function, width: int, *, newton: bool, velocity: bool, one_type: bool, weighted: bool, tally: bool,
-    tabled: bool = False, watch: Function = None, last: bool = True,
+    tabled: bool = False, watch: Function = None, last: bool = True, share: bool = False,
 ) -> Function:  # fmt: skip
     """Compose the loop of one scene around law(r2, dot, factor, c) -> (force over r, energy).
 
     tabled  c ends with data, a table that the law looks things up in
     watch   None, or watch(r2, c) -> this pair must be reported
+    share   each atom gets its share of energy and virial
     last    of the styles that act one after the other: the virial is summed over the forces of all
 
     The law is evaluated for every listed pair and yields zero beyond its cutoff: without the unpredictable branch the
@@ -24,11 +25,13 @@ def pair_loop(
 
     def forces(
         x: "f8*", v: "f8*", f: "f8*", type_: "i8*", first: "i8*", neighbors: "i4*", table: "f8*", types: "i8",
-        data: "f8*", weights: "f8*", virial: "f8*", noted: "i8*", n: "i8", total: "i8",
+        data: "f8*", weights: "f8*", virial: "f8*", shares: "f8*", noted: "i8*", n: "i8",
+        total: "i8",
     ) -> "f8":
         """Add pair forces to f (owned and ghost rows); returns the energy, adds to virial (6) when tallying.
 
-        noted: how many pairs must be reported, and the two rows of the first.
+        shares: (rows, SHARES) added to where each atom gets its share. noted: how many pairs must be reported, and the two rows
+        of the first.
         """
         energy = 0.0
         c = load(table, (types + 1) * width, data, table, 0)
@@ -86,6 +89,10 @@ def pair_loop(
                             virial[3] += 0.5 * (dx * dy * force)
                             virial[4] += 0.5 * (dx * dz * force)
                             virial[5] += 0.5 * (dy * dz * force)
+                if share:
+                    give_share(shares, i, e, force, dx, dy, dz)
+                    if newton or j < n:
+                        give_share(shares, j, e, force, dx, dy, dz)
             f[3 * i] = fx
             f[3 * i + 1] = fy
             f[3 * i + 2] = fz

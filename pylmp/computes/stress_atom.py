@@ -1,0 +1,83 @@
+"""compute ID GROUP stress/atom TEMP-ID|NULL [ke pair bond fix virial]: stress of each atom times its volume.
+
+    S_ab = -(m v_a v_b + half of each pair's and bond's r_a F_b + those of fixes that count in the virial),  xx yy zz xy xz yz
+
+in units of pressure times volume. Velocities are without the drift that the temperature compute knows. Source: LAMMPS manual,
+compute_stress_atom.html.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pylmp.model.asking import ATOM_VIRIAL
+from pylmp.model.atoms import Floats
+from pylmp.model.compute import Compute
+from pylmp.model.registry import COMPUTES
+from pylmp.model.simulation import Simulation
+from pylmp.model.temperature import Temperature
+from pylmp.text.diagnostic import ScriptError
+from pylmp.text.words import Args
+
+_NOTHING_HERE = ("angle", "dihedral", "improper", "kspace")
+
+
+@COMPUTES.register("stress/atom")
+class StressOfAtoms(Compute):
+    style = "stress/atom"
+    columns = 6
+    tallies = ATOM_VIRIAL
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        super().__init__(sim, identity, group, bit, args)
+        if not len(args):
+            args.illegal(args.owner, hint="the ID of a temperature compute, or NULL")
+        word = args.word()
+        self.temperature = None if word.text == "NULL" else word.text
+        if self.temperature is not None:
+            if self.temperature not in sim.computes:
+                args.fail(f"Could not find compute stress/atom temperature ID {word.text}", word)
+            if not isinstance(sim.computes[self.temperature], Temperature):
+                args.fail(f"Compute stress/atom temperature ID {word.text} does not compute temperature", word)
+        parts = []
+        while len(args):
+            key = args.word()
+            if key.text not in ("ke", "pair", "bond", "fix", "virial", *_NOTHING_HERE):
+                args.illegal(key, hint="ke pair bond fix virial")
+            parts += ["pair", "bond", "fix"] if key.text == "virial" else [key.text]
+        self.parts = parts or ["ke", "pair", "bond", "fix"]
+
+    def init(self, sim: Simulation) -> None:
+        if self.temperature is not None and self.temperature not in sim.computes:
+            raise ScriptError(f"Could not find compute stress/atom temperature ID {self.temperature}", hint="uncompute took it")
+
+    def per_atom(self, sim: Simulation) -> Floats:
+        """(n, 6)"""
+        tally, n = sim.tally, sim.atoms.n
+        if not tally.has(ATOM_VIRIAL, sim.step):
+            raise ScriptError("Per-atom virial was not tallied on needed timestep", hint="use it on thermo or dump steps")
+        stress = np.zeros((sim.atoms.total, 6))
+        if "pair" in self.parts and len(tally.pair_shares):
+            stress += tally.pair_shares[:, 1:]
+        if "bond" in self.parts and len(tally.bond_shares):
+            stress += tally.bond_shares[:, 1:]
+        for fix in sim.fixes if "fix" in self.parts else []:
+            if fix.in_virial and fix.virial_shares is not None:
+                stress[:n] += fix.virial_shares
+        if sim.newton_pair or sim.newton_bond:
+            sim.lists.ghosts.fold(stress)
+        rows = self.members(sim)
+        result = np.zeros((n, 6))
+        result[rows] = stress[:n][rows]
+        if "ke" in self.parts:
+            result[rows] += self._motion(sim, rows)
+        result[rows] *= -sim.units.nktv2p
+        return result
+
+    def _motion(self, sim: Simulation, rows: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> Floats:
+        """(k, 6) m v_a v_b of the chosen atoms."""
+        found = sim.computes.get(self.temperature or "")
+        v = found.thermal(sim, rows) if isinstance(found, Temperature) else sim.atoms.v[: sim.atoms.n][rows]
+        m = sim.units.mvv2e * sim.masses()[rows]
+        x, y, z = v.T
+        return np.stack([m * x * x, m * y * y, m * z * z, m * x * y, m * x * z, m * y * z], axis=1)
