@@ -36,9 +36,9 @@ class StressOfAtoms(Compute):
         self.temperature = None if word.text == "NULL" else word.text
         if self.temperature is not None:
             if self.temperature not in sim.computes:
-                args.fail(f"Could not find compute stress/atom temperature ID {word.text}", word)
+                args.fail(f"Could not find compute stress/atom temperature compute {word.text}", word)
             if not isinstance(sim.computes[self.temperature], Temperature):
-                args.fail(f"Compute stress/atom temperature ID {word.text} does not compute temperature", word)
+                args.fail(f"Compute stress/atom compute {word.text} does not compute temperature", word)
         parts = []
         while len(args):
             key = args.word()
@@ -49,7 +49,7 @@ class StressOfAtoms(Compute):
 
     def init(self, sim: Simulation) -> None:
         if self.temperature is not None and self.temperature not in sim.computes:
-            raise ScriptError(f"Could not find compute stress/atom temperature ID {self.temperature}", hint="uncompute took it")
+            raise ScriptError(f"Could not find compute stress/atom temperature compute {self.temperature}", hint="uncompute took it")
 
     def per_atom(self, sim: Simulation) -> Floats:
         """(n, 6)"""

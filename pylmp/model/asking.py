@@ -65,7 +65,9 @@ class Asking:
             self.steps[step] = self.steps.get(step, 0) | tallies
 
     def take(self, step: int) -> int:
-        """What is wanted at step, which comes now."""
+        """What is wanted at step, which comes now: on steps with output whatever any compute reads."""
+        if self._sim.output.due(self._sim):
+            self.everyone(step)
         return self.steps.pop(step, 0)
 
     def init(self, step: int) -> None:
