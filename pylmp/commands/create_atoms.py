@@ -165,7 +165,7 @@ def _random(sim: Simulation, args: Args, geometry: list[Word], options: dict[str
         args.fail("No overlap of box and region for create_atoms", geometry[2])
     random = RanPark(seed)
     random.skip(30)
-    near2 = math.pow(options["overlap"] * sim.spacing[0], 2.0)
+    near2 = math.pow(options["overlap"] * (sim.spacing[0] if options["units"] == "lattice" else 1.0), 2.0)
     there: list[Floats] = list(sim.atoms.x[: sim.atoms.n])
     new: list[Floats] = []
     for _ in range(count):

@@ -136,10 +136,12 @@ class Run:
     # ---- neighbor lists -------------------------------------------------------------------------------------
 
     def _must_rebuild(self) -> bool:
-        """A restart file is due; else neigh_modify's every, delay and check: moved more than half the skin since the last build?"""
+        """A restart file is due or a fix wants it; else neigh_modify's every, delay and check: moved more than half the skin since the last build?"""
         sim, settings = self.sim, self.sim.neighbor
         if sim.output.restarts is not None and sim.output.restarts.due == sim.step:
             return True  # a restart file will be written: LAMMPS has all atoms in the box then
+        if any(fix.next_rebuild == sim.step for fix in sim.fixes):
+            return True
         self.ago += 1
         if self.ago < settings.delay or self.ago % settings.every:
             return False

@@ -1,125 +1,217 @@
-"""fix ID GROUP deform N x|y|z erate|final|scale|delta|vel values... [remap x|none] [units lattice|box]
+"""fix ID GROUP deform N parameter values ... [remap x|v|none] [flip yes|no] [units lattice|box]: the box changes during the run.
 
-The box changes during the run; with remap x the atoms of the group move with it. Rates refer to the box at the start of each run.
-Source: LAMMPS manual, fix_deform.html; order of operations as measured on LAMMPS 22 Jul 2025.
+    x|y|z      final lo hi | delta dlo dhi | scale f | vel V | erate R | trate R | volume | wiggle A T | variable v_shift v_rate
+    xy|xz|yz   final tilt | delta d | vel V | erate R | trate R | wiggle A T | variable v_shift v_rate
+
+remap x: atoms of the group keep their places relative to the box; remap v: they keep their positions, and velocities change where
+they cross a periodic face. A tilt of more than half a box length is flipped to its periodic image. Rates refer to the box at the
+start of each run. Source: LAMMPS manual, fix_deform.html; order of operations as measured on LAMMPS 22 Jul 2025.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from contextlib import nullcontext
 
+import numpy as np
+
+from pylmp.model.deformation import ALONG, Change, read_change, volume_shares
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
-from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.model.triclinic import SKEW, Triclinic
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
-_WORDS = {"final": 2, "delta": 2, "scale": 1, "vel": 1, "erate": 1}
-
-
-@dataclass
-class _Direction:
-    """style and values of one direction; from and to: (lo, hi) at the start and the end of the run."""
-
-    style: str
-    values: list[float]
-    start: tuple[float, float] = (0.0, 0.0)
-    stop: tuple[float, float] = (0.0, 0.0)
+_NAMES = "x", "y", "z", "yz", "xz", "xy"  # as in box.h
+_HALF = 0.5
 
 
 @FIXES.register("deform")
 class Deform(Fix):
     style = "deform"
-    changes_box = True
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
         self.every = args.integer()
         if self.every <= 0:
             args.fail("Fix deform Nevery must be > 0", hint="every so many steps")
-        self.directions: dict[int, _Direction] = {}
-        self.remap = True
-        lattice = True
+        self.changes: dict[int, Change] = {}
+        while (word := args.peek()) is not None and word.text in _NAMES:
+            name = args.word()
+            k = _NAMES.index(name.text)
+            if k > 2 and not sim.box.triclinic:
+                args.fail("Fix deform tilt factors require triclinic box", name, hint="region prism, or change_box triclinic")
+            self.changes[k] = read_change(args, tilt=k > 2)
+        self.remap, self.flips, lattice = "x", True, True
         while len(args):
             key = args.word()
-            if key.text in ("x", "y", "z"):
-                self._direction(args, "xyz".index(key.text))
-            elif key.text in ("xy", "xz", "yz", "flip"):
-                raise Unsupported(f"LAMMPS has fix deform {key.text}, pylmp's native engines do not", key.span)
-            elif key.text == "remap":
-                args.need(1, key.text)
-                value = args.word()
-                if value.text == "v":
-                    raise Unsupported("LAMMPS has fix deform remap v, pylmp's native engines do not", value.span)
-                if value.text not in ("x", "none"):
-                    args.fail(f"Illegal fix deform remap command: {value.text}", value, hint="x or none")
-                self.remap = value.text == "x"
-            elif key.text == "units":
-                args.need(1, key.text)
-                value = args.word()
-                if value.text not in ("box", "lattice"):
-                    args.fail(f"Illegal fix deform units command: {value.text}", value, hint="box or lattice")
-                lattice = value.text == "lattice"
+            if key.text not in ("remap", "flip", "units"):
+                args.fail(f"Unknown fix deform keyword: {key.text}", key, hint=" ".join([*_NAMES, "remap flip units"]))
+            args.need(1, key.text)
+            if key.text == "flip":
+                self.flips = args.yes()
+                continue
+            value = args.word()
+            allowed = ("x", "v", "none") if key.text == "remap" else ("box", "lattice")
+            if value.text not in allowed:
+                args.fail(f"Illegal fix deform {key.text} command: {value.text}", value, hint=" ".join(allowed))
+            if key.text == "remap":
+                self.remap = value.text
             else:
-                args.fail(f"Unknown fix deform keyword: {key.text}", key, hint="x y z remap units")
-        for axis, direction in self.directions.items():
-            direction.start = float(sim.box.lo[axis]), float(sim.box.hi[axis])
-            if any(letter in "sm" for letter in sim.box.boundary[axis]):
+                lattice = value.text == "lattice"
+        for k, change in self.changes.items():
+            if k < 3 and any(letter in "sm" for letter in sim.box.boundary[k]):
                 args.fail("Cannot use fix deform on a shrink-wrapped boundary", args.owner)
-            if lattice and direction.style in ("final", "delta", "vel"):
-                direction.values = [v * sim.spacing[axis] for v in direction.values]
+            if lattice:
+                change.scale(sim.spacing[ALONG[k][0]])
+        self.shares = volume_shares(args, self.changes)
+        self.changes_box = bool(self.changes)
+        self.varies = any(change.names for change in self.changes.values())
+        self.flipped: tuple[int, int, int] | None = None
+        self._keep_start(sim)
 
-    def _direction(self, args: Args, axis: int) -> None:
-        style = args.word()
-        if style.text in ("trate", "volume", "wiggle", "variable", "pressure", "pressure/mean"):
-            raise Unsupported(f"LAMMPS has fix deform {style.text}, pylmp's native engines do not", style.span)
-        if style.text not in _WORDS:
-            args.fail(f"Illegal fix deform command argument: {style.text}", style, hint="erate final scale delta vel")
-        if len(args) < _WORDS[style.text]:
-            args.fail(f"Illegal fix deform {style.text} command: missing argument(s)", style)
-        self.directions[axis] = _Direction(style.text, [args.number() for _ in range(_WORDS[style.text])])
+    # ---- a run begins ---------------------------------------------------------------------------------------
+
+    def _keep_start(self, sim: Simulation) -> None:
+        """The box that rates, volumes and ramps refer to."""
+        box = sim.box
+        self.start = {k: (float(box.lo[k]), float(box.hi[k])) for k in range(3)}
+        self.start_tilt = box.h[3:].tolist()
+        a, b, c = (float(length) for length in box.length)
+        self.volume = a * b * c
 
     def init(self, sim: Simulation) -> None:
-        """Where each face is at the end of this run."""
-        if sum(fix.changes_box for fix in sim.fixes) > 1:
+        """Where everything is at the end of this run."""
+        if sum(fix.style == "deform" for fix in sim.fixes) > 1:
             raise ScriptError("More than one fix deform", hint="one fix deform takes several directions")
+        for change in self.changes.values():
+            change.check(sim)
+        if sim.step == sim.begin:  # else an earlier part of the same ramp, from where the box was when the fix was defined
+            self._keep_start(sim)
         time = (sim.end - sim.begin) * sim.dt
-        for axis, direction in self.directions.items():
-            if sim.step == sim.begin:  # else an earlier part of the same ramp, from where the box was when the fix was defined
-                direction.start = float(sim.box.lo[axis]), float(sim.box.hi[axis])
-            lo, hi = direction.start
-            value = direction.values[0]
-            if direction.style == "final":
-                direction.stop = value, direction.values[1]
-            elif direction.style == "delta":
-                direction.stop = lo + value, hi + direction.values[1]
-            elif direction.style == "scale":
-                shift = 0.5 * value * (hi - lo)
-                direction.stop = 0.5 * (lo + hi) - shift, 0.5 * (lo + hi) + shift
-            elif direction.style == "vel":
-                direction.stop = lo - 0.5 * time * value, hi + 0.5 * time * value
+        for k, change in sorted(self.changes.items()):
+            if k < 3:
+                change.plan_faces(*self.start[k], time)
             else:
-                shift = 0.5 * time * value * (hi - lo)
-                direction.stop = lo - shift, hi + shift
-                if direction.stop[1] <= direction.stop[0]:
-                    raise ScriptError(
-                        "Final box dimension due to fix deform is < 0.0", hint="a smaller rate or fewer steps"
-                    )
+                a, b = self.start[ALONG[k][1]]
+                change.plan_tilt(self.start_tilt[k - 3], b - a, time)
+        self._check_yz()
+        box = sim.box
+        if self.remap == "v":
+            box.rate_group = self.bit
+        box.rate[:] = 0.0
+        for k, change in self.changes.items():
+            box.rate[k] = change.rate_at_start(self.start[k] if k < 3 else (self.start_tilt[k - 3],), time)
+
+    def _check_yz(self) -> None:
+        """A yz flip would move xz by xy, which changes too."""
+        if 3 not in self.changes or 5 not in self.changes or not self.flips:
+            return
+        if self.changes[3].style == "variable":
+            raise ScriptError("Fix deform cannot use yz variable with xy", hint="flip no")
+        least, most = self.changes[3].extremes
+        lengths = [hi - lo for lo, hi in (self.start[1], self.changes[1].stop if 1 in self.changes else self.start[1])]
+        if any(least < -SKEW * length or most > SKEW * length for length in lengths):
+            raise ScriptError("Fix deform is changing yz too much with xy", hint="flip no, or yz within half a box length")
+
+    # ---- every so many steps ----------------------------------------------------------------------------------
 
     def end_of_step(self, sim: Simulation) -> None:
-        """Every direction, changing or not, makes the round trip through scaled coordinates."""
-        part = 0.0 if sim.step == sim.begin else (sim.step - sim.begin) / (sim.end - sim.begin)
+        """The new box; with remap x the group's atoms pass through fractions, also in directions that do not change."""
         box, atoms = sim.box, sim.atoms
-        rows = self.members(sim)
+        with self.reading(sim, sim.step + self.every) if self.varies else nullcontext():
+            lo, hi, tilt = self._target(sim)
+        if isinstance(box, Triclinic):
+            self._bring_near(box, lo, hi, tilt)
+            self._plan_flip(sim, box, lo, hi, tilt)
+        rows = self.members(sim) if self.remap == "x" else np.zeros(atoms.n, bool)
         x = atoms.x[: atoms.n]
-        for axis in range(3):
-            lo, hi = float(box.lo[axis]), float(box.hi[axis])
-            if self.remap:
-                x[rows, axis] = (1.0 / (hi - lo)) * (x[rows, axis] - lo)
-            direction = self.directions.get(axis)
-            if direction is not None:
-                (lo0, hi0), (lo1, hi1) = direction.start, direction.stop
-                lo, hi = lo0 + part * (lo1 - lo0), hi0 + part * (hi1 - hi0)
-                box.lo[axis], box.hi[axis] = lo, hi
-            if self.remap:
-                x[rows, axis] = (hi - lo) * x[rows, axis] + lo
+        fractions = box.fractions(x[rows])
+        for k in range(3):
+            if k not in self.changes:
+                lo[k], hi[k] = box.lo[k], box.hi[k]
+            if k + 3 not in self.changes:
+                tilt[k] = box.h[k + 3]
+        box.place(np.array(lo), np.array(hi), np.array(tilt[::-1]))
+        if self.remap == "x":
+            x[rows] = box.positions(fractions)
+
+    def _target(self, sim: Simulation) -> tuple[list[float], list[float], list[float]]:
+        """lo, hi, and yz xz xy, that the parameters ask for now."""
+        box = sim.box
+        part = float(sim.step - sim.begin)
+        if part != 0.0:
+            part /= sim.end - sim.begin
+        elapsed = (sim.step - sim.begin) * sim.dt
+        lo, hi, tilt = box.lo.tolist(), box.hi.tolist(), box.h[3:].tolist()
+        for k, change in sorted(self.changes.items()):
+            if k > 2:
+                tilt[k - 3] = change.tilt(sim, self.start_tilt[k - 3], part, elapsed)
+            elif change.style != "volume":
+                lo[k], hi[k] = change.faces(sim, *self.start[k], part, elapsed)
+            box.rate[k] = change.rate(sim, float(box.h[k]), elapsed, float(box.rate[k]))
+        for k, share in self.shares.items():
+            a, b = self.start[k]
+            leader, (c, d) = hi[share.leader] - lo[share.leader], self.start[share.other]
+            other = hi[share.other] - lo[share.other] if share.role == "leads" else d - c
+            if share.role == "follows":
+                shift = _HALF * math.sqrt(self.volume * (b - a) / leader / other)
+            else:
+                shift = _HALF * (self.volume / leader / other)
+            lo[k], hi[k] = _HALF * (a + b) - shift, _HALF * (a + b) + shift
+            box.rate[k] = (2.0 * shift / box.h[k] - 1.0) / sim.dt  # of a length LAMMPS takes the strain rate here (measured)
+        return lo, hi, tilt
+
+    @staticmethod
+    def _bring_near(box: Triclinic, lo: list[float], hi: list[float], tilt: list[float]) -> None:
+        """Each tilt to that periodic image of its target that is nearest to the tilt of the box."""
+        for k, along in ((0, 1), (1, 0), (2, 0)):
+            length = hi[along] - lo[along]
+            now = float(box.h[3 + k] / box.h[along])
+            while tilt[k] / length - now > 0.0:
+                tilt[k] -= length
+            while tilt[k] / length - now < 0.0:
+                tilt[k] += length
+            if abs(tilt[k] / length - 1.0 - now) < abs(tilt[k] / length - now):
+                tilt[k] -= length
+
+    # ---- flips ------------------------------------------------------------------------------------------------
+
+    def _plan_flip(self, sim: Simulation, box: Triclinic, lo: list[float], hi: list[float], tilt: list[float]) -> None:
+        """If a tilt has become too large, its flip is due at the start of the next step, which rebuilds everything."""
+        lx, ly = hi[0] - lo[0], hi[1] - lo[1]
+        x, y = 1.0 / lx, 1.0 / ly
+        yz, xz, xy = tilt
+        if not self.flips or max(abs(yz * y), abs(xz * x), abs(xy * x)) <= SKEW:
+            return
+        along_x, along_y, _ = box.periodic
+        n_yz = n_xz = n_xy = 0
+        if along_y and abs(yz * y) > SKEW:
+            n_yz = 1 if yz < 0.0 else -1
+            yz, xz = yz + n_yz * ly, xz + n_yz * xy
+        if along_x and abs(xz * x) > SKEW:
+            n_xz = 1 if xz < 0.0 else -1
+            xz += n_xz * lx
+        if along_x and abs(xy * x) > SKEW:
+            n_xy = 1 if xy < 0.0 else -1
+            xy += n_xy * lx
+        if n_yz or n_xz or n_xy:
+            self.flipped = n_yz, n_xz, n_xy
+            self._flip_to = np.array([xy, xz, yz])
+            self.next_rebuild = sim.step + 1
+
+    def pre_exchange(self, sim: Simulation) -> None:
+        """The same lattice by other cell vectors: image flags count the new ones."""
+        if self.flipped is None:
+            return
+        box, atoms = sim.box, sim.atoms
+        n_yz, n_xz, n_xy = self.flipped
+        self.flipped = None
+        box.place(box.lo.copy(), box.hi.copy(), self._flip_to)
+        x, image = atoms.x[: atoms.n], atoms.image[: atoms.n]
+        image[:, 1] -= n_yz * image[:, 2]
+        image[:, 0] -= n_xy * image[:, 1] + n_xz * image[:, 2]
+        box.remap(x, image)
+        box.enter(x)
+        box.leave(x)

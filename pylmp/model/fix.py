@@ -33,6 +33,7 @@ class Fix:
     every   end_of_step runs on multiples of this step count
     integrates    it moves atoms (LAMMPS warns when no fix of a run does)
     changes_box   it changes the box during the run
+    next_rebuild  on this step the neighbor lists are made anew, whatever neigh_modify says
     minimizes     its post_force acts in minimize too
     has_energy has_virial   fix_modify may count its scalar in the potential energy, its virial in the pressure
     in_energy in_virial     it did
@@ -46,11 +47,12 @@ class Fix:
 
     style: ClassVar[str] = ""
     integrates: ClassVar[bool] = False
-    changes_box: ClassVar[bool] = False
     minimizes: ClassVar[bool] = False
     has_energy: ClassVar[bool] = False
     has_virial: ClassVar[bool] = False
     couples: ClassVar[bool] = False
+    changes_box: bool = False
+    next_rebuild: int = -1
     extensive_scalar: bool = False
     extensive_vector: bool | tuple[bool, ...] = False
     time_dependent: ClassVar[bool] = False
