@@ -1,189 +1,248 @@
-"""create_atoms TYPE box|region|single|random arguments... keywords..."""
+"""create_atoms TYPE box|region|single|random arguments... keywords...
+
+Keywords: basis, ratio, subset, remap, units, overlap, maxtry, var, set. Source: LAMMPS manual, create_atoms.html.
+"""
 
 from __future__ import annotations
 
-import math
-from itertools import product
-from typing import Any
+from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pylmp.commands.create_box import describe
-from pylmp.kernels.random import RanPark
-from pylmp.model.atoms import Floats
-from pylmp.model.box import Box
+from pylmp.kernels.subset import select_subset
+from pylmp.model.atoms import Floats, Ints
+from pylmp.model.lattice import BASES, FLAT, Lattice
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
+from pylmp.model.sites import RandomPoints, Wanted, lattice_sites, within
+from pylmp.model.variables import EQUAL_STYLES, Variables
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args, Word
 
-_ELSEWHERE = ("mol", "var", "set", "rotate", "ratio", "subset", "radscale", "meshmode", "mesh")
-_EDGE = 1.0e-6  # of the box length: sites this near a periodic face count as on it
+_WORDS = {"box": 0, "region": 1, "single": 3, "random": 3}
+
+
+@dataclass
+class _Options:
+    """types: of basis atoms. amount: a fraction (ratio) or a number (subset) of the sites; 0: all. axes: variables that get x y z."""
+
+    types: dict[int, int] = field(default_factory=dict)
+    units: str = "lattice"
+    remap: bool = False
+    overlap: float = 0.0
+    tries: int = 1000
+    amount: float | int = 0
+    seed: int = 0
+    variable: Word | None = None
+    axes: dict[int, Word] = field(default_factory=dict)
 
 
 @command("create_atoms", needs_box=True)
 def create_atoms(sim: Simulation, args: Args) -> None:
     """Fill the box or a region with lattice sites, place one atom, or place atoms at random."""
     args.need(2)
-    word = args.word()
-    kind = args.as_integer(word)
-    if not 1 <= kind <= sim.atom_types:
-        args.fail("Invalid atom type in create_atoms command", word, hint=f"types are 1 to {sim.atom_types}")
-    style = args.word()
-    words = {"box": 0, "region": 1, "single": 3, "random": 3}
-    if style.text not in words:
-        if style.text in ("mesh",):
-            raise Unsupported("LAMMPS has create_atoms mesh, pylmp's native engines do not", style.span)
-        args.fail(f"Unknown create_atoms command option {style.text}", style, hint="box region single random")
-    if len(args) < words[style.text]:
+    type_word, style = args.word(), args.word()
+    kind = args.as_integer(type_word)
+    if style.text == "mesh":
+        raise Unsupported("LAMMPS has create_atoms mesh, pylmp's native engines do not", style.span)
+    if style.text not in _WORDS:
+        args.fail(f"Unknown create_atoms command option {style.text}", style, hint=" ".join(_WORDS))
+    if len(args) < _WORDS[style.text]:
         args.fail(f"Illegal create_atoms {style.text} command: missing argument(s)", style)
-    geometry = [args.word() for _ in range(words[style.text])]
-    options = _options(sim, args, kind)
-    if style.text == "random":
-        x = _random(sim, args, geometry, options)
-        types = np.full(len(x), kind)
-    elif style.text == "single":
-        scale = (1.0, 1.0, 1.0) if options["units"] == "box" else sim.spacing
-        x = np.array([[args.as_number(w) * s for w, s in zip(geometry, scale, strict=True)]])
-        if sim.dimension == 2 and x[0, 2] != 0.0:
-            args.fail("Create_atoms single for 2d simulation requires z coord = 0.0", geometry[2])
-        if options["remap"]:
-            sim.box.remap(x, np.zeros((1, 3), np.int64))
-        keep = _within(sim.box, x)
-        x, types = x[keep], np.full(int(keep.sum()), kind)
-    else:
-        x, types = _sites(sim, args, geometry, options, kind)
+    geometry = [args.word() for _ in range(_WORDS[style.text])]
+    place = _check_geometry(sim, args, style, geometry)
+    options = _read_options(sim, args, style)
+    if not 1 <= kind <= sim.atom_types:
+        args.fail("Invalid atom type in create_atoms command", type_word, hint=f"types are 1 to {sim.atom_types}")
+    lattice: Lattice | None = sim.lattice
+    if lattice is not None and lattice.style in BASES and (lattice.style in FLAT) != (sim.dimension == 2):
+        args.fail("Lattice style incompatible with simulation dimension", args.owner)
+    scale = sim.spacing if options.units == "lattice" else (1.0, 1.0, 1.0)
+    if style.text == "single":
+        x = _single(sim, args, place, geometry, scale, options)
+    elif style.text == "random":
+        x = _random(sim, args, geometry, scale[0] * options.overlap, options)
+    types = np.full(len(x), kind) if style.text in ("single", "random") else np.zeros(0, np.int64)
+    if style.text in ("box", "region"):
+        if lattice is None or not lattice.basis:
+            args.fail("Cannot create atoms with undefined lattice", args.owner, hint="lattice comes first")
+        x, types = _sites(sim, args, lattice, geometry, kind, options)
     sim.atoms.append(x, types)
     sim.atoms.number()
     sim.natoms += len(x)
-    what = "box" if style.text == "random" or options["units"] == "box" else "lattice"
-    if style.text in ("box", "region"):
-        what = "lattice" if options["units"] == "lattice" else "box"
     sim.console.both(
-        f"Created {len(x)} atoms\n  using {what} units in {describe(sim.box)}\n  create_atoms CPU = 0.000 seconds\n"
+        f"Created {len(x)} atoms\n  using {options.units} units in {describe(sim.box)}\n  create_atoms CPU = 0.000 seconds\n"
     )
 
 
-def _options(sim: Simulation, args: Args, kind: int) -> dict[str, Any]:
-    options: dict[str, Any] = {
-        "units": "lattice", "remap": False, "overlap": 0.0, "maxtry": 1000, "basis": {},
-    }  # fmt: skip
+def _check_geometry(sim: Simulation, args: Args, style: Word, geometry: list[Word]) -> Floats:
+    """What LAMMPS checks before it reads the keywords; the position of style single, as the script has it."""
+    if style.text == "single":
+        return np.array([[args.as_number(word) for word in geometry]])
+    if style.text == "random":
+        count, seed = args.as_integer(geometry[0]), args.as_integer(geometry[1])
+        if count < 0:
+            args.fail(f"Illegal create_atoms number of random atoms {count}", geometry[0])
+        if seed <= 0:
+            args.fail(f"Illegal create_atoms random seed {seed}", geometry[1], hint="a positive number")
+    if geometry and (style.text == "region" or geometry[2].text != "NULL") and geometry[-1].text not in sim.regions:
+        args.fail(f"Create_atoms region {geometry[-1].text} does not exist", geometry[-1])
+    return np.zeros((0, 3))
+
+
+def _read_options(sim: Simulation, args: Args, style: Word) -> _Options:
+    options = _Options()
     while len(args):
-        word = args.word()
-        if word.text == "units":
-            value = args.word()
-            if value.text not in ("box", "lattice"):
-                args.fail(f"Unknown create_atoms units option {value.text}", value, hint="box or lattice")
-            options["units"] = value.text
-        elif word.text == "remap":
-            options["remap"] = args.yes()
-        elif word.text == "overlap":
-            options["overlap"] = args.number()
-        elif word.text == "maxtry":
-            options["maxtry"] = args.integer()
-        elif word.text == "basis":
-            args.need(2)
-            which, other = args.integer(), args.integer()
-            sites = len(sim.lattice.basis) if sim.lattice else 0
-            if not 1 <= which <= sites or not 1 <= other <= sim.atom_types:
-                args.fail(f"Out of range basis setting '{which} {other}' in create_atoms command")
-            options["basis"][which - 1] = other
-        elif word.text in _ELSEWHERE:
-            raise Unsupported(f"LAMMPS has create_atoms {word.text}, pylmp's native engines do not", word.span)
-        else:
-            args.fail(f"Illegal create_atoms command option {word.text}", word, hint="units remap overlap maxtry basis")
+        key = args.word()
+        if key.text in ("mol", "radscale", "meshmode"):
+            raise Unsupported(f"LAMMPS has create_atoms {key.text}, pylmp's native engines do not", key.span)
+        if key.text in ("overlap", "maxtry") and style.text != "random":
+            args.fail(f"Create_atoms {key.text} can only be used with random style", key)
+        counts = {
+            "units": 1,
+            "remap": 1,
+            "overlap": 1,
+            "maxtry": 1,
+            "var": 1,
+            "basis": 2,
+            "set": 2,
+            "ratio": 2,
+            "subset": 2,
+            "rotate": 4,
+        }
+        if key.text not in counts:
+            hint = "units basis ratio subset remap overlap maxtry var set"
+            args.fail(f"Illegal create_atoms command option {key.text}", key, hint=hint)
+        args.need(counts[key.text], key.text)
+        _read_option(sim, args, key, options)
+    if style.text == "single" and (options.variable or options.axes):
+        args.fail("Cannot use 'var' keyword with 'single' style for create_atoms", args.owner)
+    if (options.variable is None) != (not options.axes):
+        args.fail("Incomplete use of variables in create_atoms command", args.owner, hint="var NAME set x NAME")
+    if options.variable is not None:
+        _check_variables(sim, args, options.variable, options.axes)
     return options
 
 
-def _sites(sim: Simulation, args: Args, geometry: list[Word], options: dict[str, Any], kind: int) -> tuple[Floats, Any]:
-    """Lattice sites in the box (and the region), in LAMMPS's order: z slowest, then y, x, basis."""
-    lattice, box = sim.lattice, sim.box
-    region = _region(sim, args, geometry[0]) if geometry else None
-    if lattice is None or not lattice.basis:
-        args.fail("Cannot create atoms with undefined lattice", args.owner, hint="lattice comes first")
-    ranges = _ranges(sim, lattice, region)
-    found, types = [], []
-    for k, j, i in product(ranges[2], ranges[1], ranges[0]):
-        for site, (bx, by, bz) in enumerate(lattice.basis):
-            found.append(lattice.to_box((i + bx, j + by, k + bz)))
-            types.append(options["basis"].get(site, kind))
-    x, kinds = np.array(found).reshape(-1, 3), np.array(types, np.int64)
-    keep = region.inside(x) if region else np.ones(len(x), bool)
-    keep &= _within(box, x, _EDGE)
-    return x[keep], kinds[keep]
+def _read_option(sim: Simulation, args: Args, key: Word, options: _Options) -> None:
+    """Take the values of a keyword that has enough of them."""
+    if key.text == "units":
+        value = args.word()
+        if value.text not in ("box", "lattice"):
+            args.fail(f"Unknown create_atoms units option {value.text}", value, hint="box or lattice")
+        options.units = value.text
+    elif key.text == "remap":
+        options.remap = args.yes()
+    elif key.text == "overlap":
+        options.overlap = args.number()
+        if options.overlap <= 0.0:
+            args.fail(f"Illegal create_atoms overlap value: {args.words[args.at - 1].text}", hint="a positive number")
+    elif key.text == "maxtry":
+        options.tries = args.integer()
+        if options.tries <= 0:
+            args.fail(f"Illegal create_atoms maxtry value {options.tries}", hint="a positive number")
+    elif key.text == "basis":
+        which, other = args.integer(), args.integer()
+        sites = len(sim.lattice.basis) if sim.lattice else 0
+        if not 1 <= which <= sites or not 1 <= other <= sim.atom_types:
+            args.fail(f"Out of range basis setting '{which} {other}' in create_atoms command")
+        options.types[which - 1] = other
+    elif key.text in ("ratio", "subset"):
+        ratio = key.text == "ratio"
+        options.amount, options.seed = args.number() if ratio else args.integer(), args.integer()
+        if options.amount <= 0 or (ratio and options.amount > 1) or options.seed <= 0:
+            args.fail(
+                f"Illegal create_atoms {key.text} settings", key, hint=f"{key.text} a positive number, and a seed"
+            )
+    elif key.text == "var":
+        options.variable = args.word()
+    elif key.text == "set":
+        axis, name = args.word(), args.word()
+        if axis.text not in ("x", "y", "z"):
+            args.fail(f"Unknown create_atoms set option {name.text}", name, hint="set x|y|z NAME")
+        options.axes["xyz".index(axis.text)] = name
+    else:  # rotate is for molecules
+        for _ in range(4):
+            args.number()
 
 
-def _within(box: Box, x: Floats, edge: float = 0.0) -> NDArray[np.bool_]:
-    """(n,) bool: positions in the box; edge, of a length: a periodic box begins that far below its low face and ends twice that far
-    below its high face, so that one of two images on its faces is in."""
-    x, (lo, hi) = x.copy(), box.frame
-    box.enter(x)
-    margin = np.where(box.periodic, (hi - lo) * edge, 0.0)
-    return np.asarray(((x >= lo - margin) & (x < hi - 2.0 * margin)).all(axis=1))
+def _check_variables(sim: Simulation, args: Args, variable: Word, axes: dict[int, Word]) -> None:
+    known = Variables(sim)
+    style = known.style(variable.text)
+    if style is None:
+        args.fail(f"Variable {variable.text} for create_atoms does not exist", variable)
+    if style not in EQUAL_STYLES:
+        args.fail(
+            f"Variable {variable.text} for create_atoms is invalid style", variable, hint="an equal-style variable"
+        )
+    for word in axes.values():
+        if known.style(word.text) not in (None, "internal"):
+            args.fail(
+                f"Variable {word.text} for create_atoms is invalid style",
+                word,
+                hint="a new name, or an internal variable",
+            )
+        known.set_internal(word.text, 0.0)
 
 
-def _ranges(sim: Simulation, lattice: Any, region: Any) -> list[range]:
-    """Cells whose sites may lie in the box and the region's extent."""
-    low, high = (corner.tolist() for corner in sim.box.brick(*sim.box.frame))
-    if region is not None and region.bounds is not None:
-        for d in range(3):
-            low[d], high[d] = max(low[d], region.bounds[0][d]), min(high[d], region.bounds[1][d])
-    corners = [lattice.from_box(corner) for corner in product(*zip(low, high, strict=True))]
-    ranges = []
-    for d in range(3):
-        least, most = min(c[d] for c in corners), max(c[d] for c in corners)
-        first = int(least) - 1
-        if least < 0.0:
-            first -= 1
-        ranges.append(range(first, int(most) + 2))
-    if sim.dimension == 2:
-        ranges[2] = range(1)
-    return ranges
+def _wanted(sim: Simulation, options: _Options) -> Wanted:
+    """What the variable says of a point, whose coordinates the variables of keyword set then hold."""
+    if options.variable is None:
+        return None
+    known, name = Variables(sim), options.variable.text
+
+    def ask(point: Floats) -> bool:
+        for axis, word in options.axes.items():
+            known.set_internal(word.text, float(point[axis]))
+        return known.number(name) != 0.0
+
+    return ask
 
 
-def _region(sim: Simulation, args: Args, word: Word) -> Any:
-    if word.text not in sim.regions:
-        args.fail(f"Create_atoms region {word.text} does not exist", word)
-    return sim.regions[word.text]
+def _single(
+    sim: Simulation,
+    args: Args,
+    place: Floats,
+    geometry: list[Word],
+    scale: tuple[float, float, float],
+    options: _Options,
+) -> Floats:
+    if sim.dimension == 2 and place[0, 2] != 0.0:
+        args.fail("Create_atoms single for 2d simulation requires z coord = 0.0", geometry[2])
+    x = place * np.array(scale)
+    if options.remap:
+        sim.box.remap(x, np.zeros((1, 3), np.int64))
+    return x[within(sim.box, x)]
 
 
-def _random(sim: Simulation, args: Args, geometry: list[Word], options: dict[str, Any]) -> Floats:
-    """Uniformly random positions, tried again while outside the region or too near another atom."""
-    count, seed = args.as_integer(geometry[0]), args.as_integer(geometry[1])
-    if count < 0:
-        args.fail(f"Illegal create_atoms number of random atoms {count}", geometry[0])
-    if seed <= 0:
-        args.fail(f"Illegal create_atoms random seed {seed}", geometry[1], hint="a positive number")
-    region = None if geometry[2].text == "NULL" else _region(sim, args, geometry[2])
-    box: Box = sim.box
-    low, high = (corner.tolist() for corner in box.bounds)
-    if region is not None and region.bounds is not None:
-        for d in range(3):
-            low[d], high[d] = max(low[d], region.bounds[0][d]), min(high[d], region.bounds[1][d])
-    if any(a > b for a, b in zip(low, high, strict=True)):
+def _random(sim: Simulation, args: Args, geometry: list[Word], overlap: float, options: _Options) -> Floats:
+    count, seed = int(geometry[0].text), int(geometry[1].text)
+    points = RandomPoints(sim, sim.regions.get(geometry[2].text) if geometry[2].text != "NULL" else None)
+    if not points.apart:
         args.fail("No overlap of box and region for create_atoms", geometry[2])
-    random = RanPark(seed)
-    random.skip(30)
-    near2 = math.pow(options["overlap"] * (sim.spacing[0] if options["units"] == "lattice" else 1.0), 2.0)
-    there: list[Floats] = list(sim.atoms.x[: sim.atoms.n])
-    new: list[Floats] = []
-    for _ in range(count):
-        for _ in range(options["maxtry"]):
-            point = np.array([a + random.uniform() * (b - a) for a, b in zip(low, high, strict=True)])
-            if sim.dimension == 2:
-                point[2] = 0.0
-            if region is not None and not region.inside(point[None])[0]:
-                continue
-            if box.triclinic and not _within(box, point[None])[0]:
-                continue
-            if near2 > 0.0 and there:
-                away = box.minimum_image(point - np.array(there))
-                if (away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] + away[:, 2] * away[:, 2] < near2).any():
-                    continue
-            there.append(point)
-            new.append(point)
-            break
-    if len(new) < count:
-        sim.console.warning(f"Only inserted {len(new)} particles out of {count}")
-    return np.array(new).reshape(-1, 3)
+    x = points.draw(seed, count, options.tries, overlap, _wanted(sim, options))
+    if len(x) < count:
+        sim.console.warning(f"Only inserted {len(x)} particles out of {count}")
+    return x
+
+
+def _sites(
+    sim: Simulation, args: Args, lattice: Lattice, geometry: list[Word], kind: int, options: _Options
+) -> tuple[Floats, Ints]:
+    region = sim.regions[geometry[0].text] if geometry else None
+    wanted = _wanted(sim, options)
+    x, places = lattice_sites(sim, lattice, region, wanted)
+    chosen = np.ones(len(x), bool)
+    if options.amount:
+        number = int(options.amount * len(x)) if isinstance(options.amount, float) else options.amount
+        if number > len(x):
+            args.fail("Create_atoms subset size > # of lattice sites", args.owner, hint=f"there are {len(x)} sites")
+        chosen = select_subset(options.seed, number, len(x))
+    if wanted is not None:  # LAMMPS goes through the sites twice, which matters to a variable with random numbers
+        x, places = lattice_sites(sim, lattice, region, wanted)
+        chosen = np.pad(chosen, (0, max(0, len(x) - len(chosen))), constant_values=not options.amount)[: len(x)]
+    x, places = x[chosen], places[chosen]
+    types = np.full(len(lattice.basis), kind)
+    types[list(options.types)] = list(options.types.values())
+    return x, types[places]

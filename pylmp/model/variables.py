@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from pylmp.model.atoms import Floats
 from pylmp.text.diagnostic import ScriptError
+from pylmp.text.variables import Variable
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
@@ -45,3 +46,8 @@ class Variables:
         if not hasattr(script.variables, "per_atom"):
             raise ScriptError(f"Variable {name}: atom-style variables need a script")
         return script.variables.per_atom(name, script.scope)
+
+    def set_internal(self, name: str, value: float) -> None:
+        """Give an internal-style variable, made if need be, a number. Formulas read it with all digits."""
+        script = self._sim.script
+        script.variables.known[name] = Variable("internal", [repr(value)])
