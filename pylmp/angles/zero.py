@@ -27,4 +27,4 @@ def read(args: Args, types: int) -> tuple[range, tuple[float, ...]]:
     return kinds, (args.number() if len(args) else 0.0,)
 
 
-ANGLES.add("zero", ManyBodyStyle("zero", "angle_zero.html", parse, read, Blob(coeffs=("theta0",), degrees=("theta0",))))
+ANGLES.add("zero", ManyBodyStyle("zero", "angle_zero.html", 1, parse, read, Blob(coeffs=("theta0",), degrees=("theta0",))))

@@ -8,13 +8,12 @@ from pylmp.io.data_read import Options, read_data
 from pylmp.model.groups import MAX_GROUPS
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
+from pylmp.model.topology import KIND
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args, Word
 
-_KINDS = "bond", "angle", "dihedral", "improper"
-_COUNTS = (
-    "extra/atom/types", *(f"extra/{k}/types" for k in _KINDS), *(f"extra/{k}/per/atom" for k in _KINDS), "extra/special/per/atom",
-)  # fmt: skip
+_NAMES = "atom", "bond", "angle", "dihedral", "improper"
+_COUNTS = (*(f"extra/{k}/types" for k in _NAMES), *(f"extra/{k}/per/atom" for k in (*_NAMES[1:], "special")))
 
 
 @command("read_data")
@@ -33,6 +32,10 @@ def read_data_command(sim: Simulation, args: Args) -> None:
         )
     if not sim.has_box and options.add is not None:
         args.fail("Cannot use read_data add before simulation box is defined", args.owner)
+    if options.add is None and options.offsets:
+        args.fail("Cannot use read_data offset without add keyword", args.owner, hint="add append offset ...")
+    if options.add is not None and any(options.types.values()):
+        args.fail("Cannot use any read_data extra/*/types keyword with add keyword", args.owner, hint="in the first read_data")
     if options.add is None and any(options.shift):
         args.fail("Cannot use read_data shift without add keyword", args.owner, hint="add append shift ...")
     if sim.dimension == 2 and sim.boundary[2][0] != "p":
@@ -68,12 +71,14 @@ def _keyword(sim: Simulation, args: Args, options: Options) -> str:
         else:
             _need(args, key, 1)
             options.add, options.molecule_offset = args.as_integer(word), args.integer()
-    elif key.text in ("offset", "fix"):
+    elif key.text == "offset":
+        _offset(args, key, options)
+    elif key.text == "fix":
         raise Unsupported(
             f"LAMMPS has read_data {key.text}, pylmp's native engines do not", key.span, manual=args.manual
         )
     else:
-        args.fail(f"Unknown read_data keyword {key.text}", key, hint="add shift group nocoeff extra/...")
+        args.fail(f"Unknown read_data keyword {key.text}", key, hint="add offset shift group nocoeff extra/...")
     return ""
 
 
@@ -85,15 +90,24 @@ def _need(args: Args, key: Word, count: int) -> None:
 def _count(sim: Simulation, args: Args, key: Word, options: Options) -> None:
     _need(args, key, 1)
     word = args.word()
-    kind = key.text.split("/")[1]
-    if key.text.endswith("types") and kind in _KINDS and not (kind == "bond" and sim.has_bonds):
-        args.fail(f"No {kind}s allowed with atom style {sim.atom_style}", word)
+    name = key.text.split("/")[1]
+    kind = KIND.get(name)
+    allowed = kind is None or kind in sim.style.kinds or (key.text.endswith("per/atom") and sim.has_bonds)
+    if not allowed:
+        args.fail(f"No {name}s allowed with atom style {sim.atom_style}", word)
     value = args.as_integer(word)
     if value < 0:
         args.fail(f"Illegal read_data {key.text} value {value}", word, hint="0 or more")
-    field = key.text.removeprefix("extra/").replace("/", "_")
-    if hasattr(options, field):
-        setattr(options, field, value)
+    (options.types if key.text.endswith("types") else options.per_atom)[name] = value
+
+
+def _offset(args: Args, key: Word, options: Options) -> None:
+    """Numbers that are added to the types of the file."""
+    _need(args, key, 5)
+    values = [args.integer() for _ in _NAMES]
+    if min(values) < 0:
+        args.fail("Illegal read_data offset value(s)", hint="0 or more")
+    options.offsets = dict(zip(_NAMES, values, strict=True))
 
 
 def _group(sim: Simulation, args: Args, name: str) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pylmp.io.data_write import data_text, warn_unmixed
+from pylmp.io.data_write import Contents, data_text, warn_unmixed
 from pylmp.io.ready import initialise, wrap_atoms
 from pylmp.io.whole_file import write_whole
 from pylmp.model.paths import writable
@@ -15,19 +15,21 @@ from pylmp.text.words import Args, Word
 
 @command("write_data", needs_box=True)
 def write_data(sim: Simulation, args: Args) -> None:
-    """Write atoms, velocities, bonds, masses and coefficients; * in the name becomes the step."""
+    """Write atoms, velocities, bonds, angles, ..., masses and coefficients; * in the name becomes the step."""
     name = args.word()
-    coeffs, pairs = True, False
+    contents = Contents()
     while len(args):
         key = args.word()
         if key.text == "nocoeff":
-            coeffs = False
-        elif key.text in ("nofix", "nolabelmap"):
-            pass  # no fix here adds a section, and there are no labels
+            contents.coeffs = False
+        elif key.text == "nofix":
+            pass  # no fix here adds a section
+        elif key.text == "nolabelmap":
+            contents.labels = False
         elif key.text == "pair":
-            pairs = _choice(args, key, ("ii", "ij")) == "ij"
+            contents.pairs = _choice(args, key, ("ii", "ij")) == "ij"
         elif key.text == "types":
-            _choice(args, key, ("numeric", "labels"))
+            contents.named = _choice(args, key, ("numeric", "labels")) == "labels"
         elif key.text == "triclinic/general":
             args.fail("Write_data triclinic/general for system that is not general triclinic", key)
         else:
@@ -41,12 +43,12 @@ def write_data(sim: Simulation, args: Args) -> None:
             "Atom count is inconsistent, cannot write data file", args.owner,
             hint=f"{sim.natoms - sim.atoms.n} atoms were lost: they are outside the box",
         )  # fmt: skip
-    if coeffs and not pairs:
+    if contents.coeffs and not contents.pairs:
         warn_unmixed(sim)
     writable(sim, name)
     path = Path(name.text.replace("*", str(sim.step), 1))
     try:
-        write_whole(path, data_text(sim, coeffs, pairs))
+        write_whole(path, data_text(sim, contents))
     except OSError as error:
         args.fail(
             f"Cannot open data file {path}: {error.strerror}", name, hint="an existing folder that may be written to"

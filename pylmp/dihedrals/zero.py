@@ -20,4 +20,4 @@ def read(args: Args, types: int) -> tuple[range, tuple[float, ...]]:
     return args.types(types), ()
 
 
-DIHEDRALS.add("zero", ManyBodyStyle("zero", "dihedral_zero.html", parse, read, Blob()))
+DIHEDRALS.add("zero", ManyBodyStyle("zero", "dihedral_zero.html", 0, parse, read, Blob()))

@@ -20,4 +20,4 @@ def read(args: Args, types: int) -> tuple[range, tuple[float, ...]]:
     return args.types(types), ()
 
 
-IMPROPERS.add("zero", ManyBodyStyle("zero", "improper_zero.html", parse, read, Blob()))
+IMPROPERS.add("zero", ManyBodyStyle("zero", "improper_zero.html", 0, parse, read, Blob()))

@@ -1,16 +1,20 @@
 """write_data: the state of a simulation as a data file.
 
-Layout and numbers are those of LAMMPS 22 Jul 2025 (manual: write_data.html), with one exception: where LAMMPS rounds a mass or a
+Layout and numbers are those of LAMMPS 22 Jul 2025 (manual: write_data.html), with one exception: where LAMMPS rounds a charge, a mass or a
 coefficient (%.16g, %g) so that it would not read back as the same number, 17 digits are printed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from pylmp.model.simulation import Simulation
+from pylmp.model.topology import KIND, Entries, Kind, entries
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import shortest
 
 TITLE = "LAMMPS data file via write_data, version 22 Jul 2025, timestep = {step}, units = {units}"
@@ -19,19 +23,36 @@ _UNMIXED = (
 )
 
 
-def data_text(sim: Simulation, coeffs: bool = True, pairs: bool = False) -> str:
-    """The whole file. coeffs: with coefficients; pairs: pair coefficients for every pair of types."""
-    bonds = list(_bonds(sim)) if sim.has_bonds else []
-    parts = [_header(sim, len(bonds)), _section("Masses", _masses(sim))]
-    if coeffs and sim.pair is not None:
-        parts.append(_pair_coeffs(sim, pairs))
-    if coeffs and sim.bond is not None and (rows := sim.bond.write_coeffs()):
-        parts.append(_section(f"Bond Coeffs # {sim.bond.name}", (_coefficients((kind,), row) for kind, row in rows)))
+@dataclass
+class Contents:
+    """What a file is to hold. coeffs: coefficients; pairs: those of every pair of types; labels: the sections of type labels;
+    named: labels stand for types in Atoms, Bonds, ..."""
+
+    coeffs: bool = True
+    pairs: bool = False
+    labels: bool = True
+    named: bool = False
+
+
+def data_text(sim: Simulation, contents: Contents) -> str:
+    """The whole file."""
+    bonded = {kind: _stored(sim, kind) for kind in sim.style.kinds}
+    parts = [_header(sim, {kind.name: len(found) for kind, found in bonded.items()})]
+    parts += [_section(f"{kind.capitalize()} Type Labels", rows) for kind, rows in _labels(sim, contents)]
+    parts.append(_section("Masses", _masses(sim)))
+    if contents.coeffs and sim.pair is not None:
+        parts.append(_pair_coeffs(sim, contents.pairs))
+    for kind in sim.style.kinds if contents.coeffs else ():
+        style = kind.style(sim)
+        if style is not None and (rows := style.write_coeffs()):
+            lines = (_coefficients((number,), row) for number, row in rows)
+            parts.append(_section(f"{kind.name.capitalize()} Coeffs # {style.name}", lines))
     if sim.natoms:
-        parts.append(_section(f"Atoms # {sim.atom_style}", _atoms(sim)))
+        parts.append(_section(f"Atoms # {sim.atom_style}", _atoms(sim, contents.named)))
         parts.append(_section("Velocities", _velocities(sim)))
-    if bonds:
-        parts.append(_section("Bonds", (f"{n} {kind} {a} {b}" for n, (kind, a, b) in enumerate(bonds, 1))))
+    for kind, found in bonded.items():
+        if len(found):
+            parts.append(_section(kind.plural.capitalize(), _bonded(sim, found, contents.named)))
     return "\n".join(parts)
 
 
@@ -45,21 +66,32 @@ def rounded(value: float, form: str) -> str:
     return text if float(text) == value else format(value, ".17g")
 
 
-def _header(sim: Simulation, bonds: int) -> str:
+def _header(sim: Simulation, counts: dict[str, int]) -> str:
     lines = [
         TITLE.format(step=sim.step, units=sim.units.name),
         "",
         f"{sim.natoms} atoms",
         f"{sim.atom_types} atom types",
     ]
-    if sim.bond_types:
-        lines += [f"{bonds} bonds", f"{sim.bond_types} bond types"]
+    for name, count in counts.items():
+        if types := KIND[name].types(sim):
+            lines += [f"{count} {name}s", f"{types} {name} types"]
     lines.append("")
     for axis, low, high in zip("xyz", sim.box.lo.tolist(), sim.box.hi.tolist(), strict=True):
         lines.append(f"{shortest(low)} {shortest(high)} {axis}lo {axis}hi")
     if sim.box.triclinic:
         lines.append(" ".join(map(shortest, sim.box.tilt.tolist())) + " xy xz yz")
     return "\n".join(lines) + "\n"
+
+
+def _labels(sim: Simulation, contents: Contents) -> Iterator[tuple[str, list[str]]]:
+    """(kind, lines) of the sections of type labels. LAMMPS leaves out those of a kind without a force style, even where labels stand
+    for its types, so that the file cannot be read; here they are written then."""
+    for name in ("atom", *(kind.name for kind in sim.style.kinds)):
+        types = getattr(sim, f"{name}_types")
+        styled = name == "atom" or KIND[name].style(sim) is not None
+        if contents.labels and (styled or contents.named) and sim.labels.complete(name, types):
+            yield name, [f"{number} {sim.labels.of(name)[number]}" for number in range(1, types + 1)]
 
 
 def _masses(sim: Simulation) -> Iterator[str]:
@@ -82,13 +114,35 @@ def warn_unmixed(sim: Simulation) -> None:
         sim.console.warning(_UNMIXED)
 
 
-def _atoms(sim: Simulation) -> Iterator[str]:
-    atoms = sim.atoms
-    columns = [atoms.tag, atoms.molecule, atoms.type] if sim.has_bonds else [atoms.tag, atoms.type]
-    table = np.stack([column[: atoms.n] for column in columns], axis=1)
-    rows = zip(table.tolist(), atoms.x[: atoms.n].tolist(), atoms.image[: atoms.n].tolist(), strict=True)
-    for numbers, x, image in rows:
-        yield " ".join([*map(str, numbers), *map(shortest, x), *map(str, image)])
+def _words(sim: Simulation, kind: str, named: bool) -> dict[int, str] | None:
+    """Words for types; None: their numbers. Raises ScriptError if a type has no label."""
+    types = getattr(sim, f"{kind}_types")
+    if not named or types == 0:
+        return None
+    if not sim.labels.complete(kind, types):
+        bare = next(number for number in range(1, types + 1) if number not in sim.labels.of(kind))
+        raise ScriptError(f"Cannot write type labels: {kind} type {bare} has none", hint=f"labelmap {kind} {bare} NAME")
+    return sim.labels.of(kind)
+
+
+def _atoms(sim: Simulation, named: bool) -> Iterator[str]:
+    atoms, n = sim.atoms, sim.atoms.n
+    words = _words(sim, "atom", named)
+
+    def column(name: str) -> list[str]:
+        values = getattr(atoms, name)[:n].tolist()
+        if name == "type" and words is not None:
+            return [words[value] for value in values]
+        return [rounded(value, ".16g") for value in values] if name == "q" else list(map(str, values))
+
+    def vectors(values: Any, form: Callable[[Any], str]) -> list[str]:
+        return [" ".join(map(form, row)) for row in values[:n].tolist()]
+
+    columns = [column(name) for name in sim.style.columns]
+    columns.append(vectors(atoms.x, shortest))
+    columns += [column(name) for name in sim.style.after]
+    columns.append(vectors(atoms.image, str))
+    yield from map(" ".join, zip(*columns, strict=True))
 
 
 def _velocities(sim: Simulation) -> Iterator[str]:
@@ -97,13 +151,13 @@ def _velocities(sim: Simulation) -> Iterator[str]:
         yield " ".join([str(tag), *map(shortest, v)])
 
 
-def _bonds(sim: Simulation) -> Iterator[tuple[int, int, int]]:
-    """(type, atom, partner) of every bond that is not broken, once: in local order, slots in order. Off bonds are on again."""
-    atoms = sim.atoms
-    slots = np.arange(atoms.bond_per_atom)
-    used = (slots < atoms.num_bond[: atoms.n, None]) & (atoms.bond_type[: atoms.n] != 0)
-    if not sim.newton_bond:
-        used &= atoms.tag[: atoms.n, None] < atoms.bond_atom[: atoms.n]
-    rows, cols = np.nonzero(used)
-    kinds, partners = np.abs(atoms.bond_type[rows, cols]), atoms.bond_atom[rows, cols]
-    yield from zip(kinds.tolist(), atoms.tag[rows].tolist(), partners.tolist(), strict=True)
+def _stored(sim: Simulation, kind: Kind) -> Entries:
+    """All that is not broken, once: in local order, slots in order."""
+    return entries(sim, kind, lambda types: types != 0).once(sim)
+
+
+def _bonded(sim: Simulation, found: Entries, named: bool) -> Iterator[str]:
+    """Lines ``number type atom atom ...``. What is off is on again."""
+    words = _words(sim, found.kind.name, named)
+    for number, (type_, tags) in enumerate(zip(np.abs(found.types).tolist(), found.tags.tolist(), strict=True), 1):
+        yield " ".join([str(number), words[type_] if words else str(type_), *map(str, tags)])

@@ -18,10 +18,11 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class ManyBodyStyle:
     """parse: words after the style's name -> does it take coefficients at all. read: words of KIND_coeff, the type range first, and the
-    number of types -> types and coefficients. restart: what a restart file holds of it."""
+    number of types -> types and coefficients. width: numbers a type has. restart: what a restart file holds of it."""
 
     name: str
     manual: str
+    width: int
     parse: Callable[[Args], bool]
     read: Callable[[Args, int], tuple[range, tuple[float, ...]]]
     restart: Blob | None = None
@@ -46,7 +47,7 @@ class ManyBody:
         if self.takes_coeffs:
             kinds, values = self.style.read(args, self.types)
         else:
-            kinds, values = args.types(self.types), ()
+            kinds, values = args.types(self.types), (0.0,) * self.style.width
             args.rest()
         self.given.update(dict.fromkeys(kinds, values))
 

@@ -13,6 +13,7 @@ from pylmp.model.box import Box
 from pylmp.model.checks import check_integration, check_neighbor_settings
 from pylmp.model.console import Console
 from pylmp.model.groups import Groups
+from pylmp.model.labels import Labels
 from pylmp.model.output import Output, add_default_computes
 from pylmp.model.settings import CommSettings, NeighborSettings, SortSettings, SpecialSettings, Tally
 from pylmp.model.topology import KINDS, Kind
@@ -71,6 +72,7 @@ class Simulation:
         self.angle: Any = None
         self.dihedral: Any = None
         self.improper: Any = None
+        self.labels = Labels()
         self.special = SpecialSettings()
         self.extra_special = 0
         self.neighbor = NeighborSettings(skin=self.units.skin)

@@ -54,6 +54,22 @@ class Neighborhood:
         return degree, two - degree, three - degree * degree
 
 
+    def pairs(self, bonds: int) -> Ints:
+        """Pairs of rows (i*n + j) that a path of two or three bonds joins, as LAMMPS goes: only the first step back is left out, and
+        of a doubled bond only one of the two ways back."""
+        n = len(self.count)
+        root = other = np.arange(n)
+        for step in range(bonds):
+            parents = np.repeat(np.arange(len(root)), self.count[other])
+            root, other = self.expand(root, other)
+            if step == 1:
+                back = np.flatnonzero(root == other)
+                _, first = np.unique(parents[back], return_index=True)
+                root, other = np.delete(root, back[first]), np.delete(other, back[first])
+        foreign = root != other
+        return np.unique(root[foreign] * np.int64(n) + other[foreign])
+
+
 def build_special(sim: Simulation) -> None:
     """Rebuild every atom's lists, and print what LAMMPS prints.
 
@@ -76,8 +92,9 @@ def build_special(sim: Simulation) -> None:
     for k, flag, name in ((1, settings.angle, "angle"), (2, settings.dihedral, "dihedral")):
         if flag and k < depth:
             joined[k] = _joined(sim, name)
-            lines.append(f"  {int(paths[k].sum())} = # of 1-{k + 2} neighbors before {name} trim")
-            lines.append(f"  {_count_joined(near, k, joined[k])} = # of 1-{k + 2} neighbors after {name} trim")
+            before = near.pairs(k + 1)
+            lines.append(f"  {len(before)} = # of 1-{k + 2} neighbors before {name} trim")
+            lines.append(f"  {int(_among(before, joined[k]).sum())} = # of 1-{k + 2} neighbors after {name} trim")
     longest = _fill(sim, near, joined[:depth])
     room = max(sim.atoms.max_special, longest, 1) + sim.extra_special
     sim.extra_special = 0  # it counts once
@@ -103,22 +120,10 @@ def _joined(sim: Simulation, name: str) -> Ints:
     return np.unique(np.concatenate(keys))
 
 
-def _among(keys: Ints, sorted_keys: Ints) -> NDArray[np.bool_]:
+def _among(keys: Ints, sorted_keys: Ints | None) -> NDArray[np.bool_]:
+    assert sorted_keys is not None
     at = np.minimum(np.searchsorted(sorted_keys, keys), len(sorted_keys) - 1)
     return np.asarray(sorted_keys[at] == keys) if len(sorted_keys) else np.zeros(len(keys), bool)
-
-
-def _count_joined(near: Neighborhood, k: int, joined: Ints | None) -> int:
-    """How many paths of k + 1 bonds lead to a neighbor that stays."""
-    assert joined is not None
-    n = np.int64(len(near.count))
-    roots = np.unique(joined // n)
-    root, other = roots, roots
-    for _ in range(k + 1):
-        root, other = near.expand(root, other)
-        back = root == other
-        root, other = root[~back], other[~back]
-    return int(_among(root * n + other, joined).sum())
 
 
 def _fill(sim: Simulation, near: Neighborhood, wanted: list[Ints | None]) -> int:

@@ -8,31 +8,37 @@ import numpy as np
 import pytest
 
 from tests.setup.both import on_lammps, on_pylmp
-from tests.topology.support import Network, difference
+from tests.topology.support import STORED, Network, difference
 
 BOUNDARIES = ("ppp", "fpp", "psp", "mmm", "sfm", "pps", "fff")
 
 
-@pytest.mark.parametrize("seed", range(42))
+@pytest.mark.parametrize("seed", range(60))
 def test_random_networks(seed: int, tmp_path: Path) -> None:
-    style = ("bond", "molecular", "atomic")[seed % 3]
+    style = tuple(STORED)[seed % 6]
     dimension = 2 if seed % 5 == 4 else 3
     boundary = "ppp" if dimension == 2 else BOUNDARIES[seed % 7]
+    kinds, labeled = STORED[style], seed % 4 == 3
+    extra = " ".join(f"extra/{kind}/per/atom {seed % 3 + 1}" for kind in kinds)
     script = f"""
 units lj
 dimension {dimension}
 atom_style {style}
 newton on {"off" if seed % 2 else "on"}
 boundary {" ".join(boundary)}
-special_bonds lj 0 {seed % 3 / 2} {seed % 4 / 3} coul 1 1 1
+special_bonds lj 0 {seed % 3 / 2} {seed % 4 / 3} coul 1 1 1 angle {"yes" if seed % 5 == 1 else "no"} dihedral {"no" if seed % 3 else "yes"}
 pair_style zero 1.0
-read_data in.data {"extra/bond/per/atom 1 extra/special/per/atom 2" if style != "atomic" and seed % 4 == 0 else ""}
+{"".join(f"{kind}_style zero nocoeff" + chr(10) for kind in kinds if seed % 8 < 5)}
+read_data in.data {extra + " extra/special/per/atom 2" if kinds and seed % 4 == 0 else ""}
 pair_coeff * *
+{"".join(f"{kind}_coeff *" + chr(10) for kind in kinds if seed % 8 < 5)}
 write_data out.data
-write_data bare.data nocoeff
-"""
-    network = Network(seed, style, dimension, boundary)
-    assert not difference(script, tmp_path, {"in.data": network.text()}, ("out.data", "bare.data"))
+write_data bare.data nocoeff nolabelmap
+{"write_data named.data types labels" if labeled and seed % 8 < 5 else "shell"}
+""".replace("shell\n", "")
+    network = Network(seed, style, dimension, boundary, labeled)
+    written = ("out.data", "bare.data", "named.data") if "named" in script else ("out.data", "bare.data")
+    assert not difference(script, tmp_path, {"in.data": network.text()}, written)
 
 
 @pytest.mark.parametrize("seed", range(6))
