@@ -199,7 +199,7 @@ ELSEWHERE = frozenset(
         "angle_write", "balance", "bond_write", "change_box", "comm_style",
         "delete_atoms", "dielectric", "dihedral_write", "dump2vtk",
         "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
-        "kspace_modify", "kspace_style", "mdi", "min_modify", "min_style", "minimize", "molecule", "neb",
+        "kspace_modify", "kspace_style", "mdi", "molecule", "neb",
         "ndx2group", "package", "pair_write", "partition", "plugin", "prd", "processors", "python", "read_dump",
         "replicate", "rerun", "reset_atoms", "run_style", "shell", "suffix", "tad", "temper",
         "thermo_log", "third_order", "timer", "write_coeff",

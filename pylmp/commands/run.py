@@ -59,6 +59,8 @@ def _segment(sim: Simulation, plan: RunPlan, post: bool) -> None:
     sim.output.begin(sim.step, sim.step + plan.steps, plan.setup)
     try:
         if plan.setup:
+            if not any(fix.integrates for fix in sim.fixes):
+                sim.console.warning("No fixes with time integration, atoms won't move")
             sim.init()
         sim.report = sim.engine.run(sim, state(sim), plan)
         sim.ran = True

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import signal
 import threading
+from collections.abc import Callable
 from types import FrameType
-from typing import Any
+from typing import Any, TypeVar
 
 from pylmp.engines.force_field import ForceField
+from pylmp.engines.minimize import Relaxation
 from pylmp.engines.timers import Timers
 from pylmp.io.neighbor_info import Request, announce
 from pylmp.model.bondlist import Breaks
@@ -18,9 +20,12 @@ from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.fix import STEP_HOOKS, hooks
 from pylmp.model.ghosts import Ghosts, ghost_cutoff
 from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
+from pylmp.model.minimize import MinPlan, MinReport
 from pylmp.model.scene import Scene
 from pylmp.model.simulation import Simulation
 from pylmp.model.sorting import Sorter
+
+T = TypeVar("T")
 
 
 class Exact:
@@ -36,6 +41,13 @@ class Exact:
         else:
             sim.output.setup(sim)
         return sim.lists.advance(plan.steps)
+
+    def minimize(self, sim: Simulation, scene: Scene, plan: MinPlan) -> tuple[RunReport, MinReport]:
+        """Set up, iterate, report."""
+        sim.lists = Run(sim)
+        relaxation = Relaxation(sim.lists)
+        relaxation.setup(plan)
+        return sim.lists.timed(lambda: relaxation.iterate(plan))
 
 
 class Run:
@@ -61,27 +73,30 @@ class Run:
 
     def setup(self) -> None:
         sim = self.sim
+        self.begin(
+            f"Setting up Verlet run ...\n  Unit style    : {sim.units.name}\n  Current step  : {sim.step}\n"
+            f"  Time step     : {sim.dt:.8g}\n"
+        )
+        for hook in hooks(sim.fixes, "setup"):
+            hook(sim)
+        sim.output.setup(sim)
+        self.timers.clear()
+
+    def begin(self, title: str) -> None:
+        """Lists and forces of the first step; title: what the screen is told."""
+        sim = self.sim
         if sim.pair is not None:
             announce(sim, (Request(f"pair {sim.pair.name}"),))
         elif sim.sort.every:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
-        if not any(fix.integrates for fix in sim.fixes):
-            sim.console.warning("No fixes with time integration, atoms won't move")
         self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
-        sim.console.screen(
-            f"Setting up Verlet run ...\n  Unit style    : {sim.units.name}\n  Current step  : {sim.step}\n"
-            f"  Time step     : {sim.dt:.8g}\n"
-        )
+        sim.console.screen(title)
         ghost_cutoff(sim, warn=True, setup=True)
         self._rebuild(setup=True)
         self.builds = self.dangerous = 0
         self._forces(sim.asking.take(sim.step), setup=True)
         for compute in sim.computes.values():
             compute.setup(sim)
-        for hook in hooks(sim.fixes, "setup"):
-            hook(sim)
-        sim.output.setup(sim)
-        self.timers.clear()
 
     # ---- one step -------------------------------------------------------------------------------------------
 
@@ -92,17 +107,25 @@ class Run:
         self._call("initial_integrate")
         self._call("post_integrate")
         timers.stamp("Modify")
-        if self._must_rebuild():
-            self._rebuild(setup=False)
-        else:
-            timers.stamp("Neigh")
-            self.refresh()
-            timers.stamp("Comm")
-        self._forces(sim.asking.take(sim.step), setup=False)
+        self.renew()
+        self.forces_at(sim.asking.take(sim.step))
         self._call("post_force")
         self._call("final_integrate")
         self._call("end_of_step")
         timers.stamp("Modify")
+
+    def renew(self) -> None:
+        """Ghosts follow their atoms, or all lists are built anew."""
+        if self._must_rebuild():
+            self._rebuild(setup=False)
+        else:
+            self.timers.stamp("Neigh")
+            self.refresh()
+            self.timers.stamp("Comm")
+
+    def forces_at(self, wanted: int) -> None:
+        """Forces of the present positions, and what is wanted besides (ENERGY | VIRIAL | ...)."""
+        self._forces(wanted, setup=False)
 
     def _call(self, name: str) -> None:
         sim = self.sim
@@ -191,11 +214,8 @@ class Run:
     def advance(self, steps: int) -> RunReport:
         """Run steps steps, writing output when it is due. An interrupt ends the run after the current step."""
         sim, end = self.sim, self.sim.step + steps
-        first = sim.step
-        self.stop = False
-        restore = self._listen()
-        self.timers.clear()
-        try:
+
+        def loop() -> None:
             while sim.step < end and not self.stop:
                 self.step()
                 if sim.output.due(sim):
@@ -203,16 +223,28 @@ class Run:
                     self.timers.stamp("Output")
                 if sim.halted:
                     break
+
+        return self.timed(loop)[0]
+
+    def timed(self, loop: Callable[[], T]) -> tuple[RunReport, T]:
+        """Carry out loop, then what ends a run."""
+        sim, first = self.sim, self.sim.step
+        self.stop = False
+        restore = self._listen()
+        self.timers.clear()
+        try:
+            result = loop()
         finally:
             restore()
         self.breaks.edit_special(sim)
         self._call("post_run")
         warn_small_box(sim)
-        return RunReport(
+        report = RunReport(
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections,
             neighbors=self.forces.neighbors.count if self.forces.neighbors else 0, ghosts=sim.atoms.ghosts,
             builds=self.builds, dangerous=self.dangerous, interrupted=self.stop,
         )  # fmt: skip
+        return report, result
 
     def _listen(self) -> Any:
         """Let an interrupt set a flag; returns what puts the old handler back."""

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from pylmp.model.engine import RunReport
+from pylmp.model.minimize import MinReport
 from pylmp.model.simulation import Simulation
 from pylmp.text.number import eight
 
@@ -40,7 +41,22 @@ def loop_time(sim: Simulation, report: RunReport) -> str:
 
 def footer(sim: Simulation, report: RunReport) -> str:
     """Everything below the loop time."""
-    return _performance(sim, report) + _timings(sim, report) + "\n" + _neighbors(sim, report)
+    return _performance(sim, report) + _processor(sim, report) + _timings(sim, report) + "\n" + _neighbors(sim, report)
+
+
+def minimized(sim: Simulation, report: RunReport, result: MinReport) -> str:
+    """Everything below the loop time of a minimization."""
+    energies = " ".join(f"{energy:18.15g}" for energy in result.energies)
+    stats = (
+        "\nMinimization stats:\n"
+        f"  Stopping criterion = {result.criterion}\n"
+        f"  Energy initial, next-to-last, final = \n    {energies}\n"
+        f"  Force two-norm initial, final = {result.norms[0]:.8g} {result.norms[1]:.8g}\n"
+        f"  Force max component initial, final = {result.largest[0]:.8g} {result.largest[1]:.8g}\n"
+        f"  Final line search alpha, max atom move = {result.alpha:.8g} {result.alpha * result.largest[1]:.8g}\n"
+        f"  Iterations, force evaluations = {result.iterations} {result.evaluations}\n"
+    )
+    return _processor(sim, report) + stats + _timings(sim, report) + "\n" + _neighbors(sim, report)
 
 
 def _performance(sim: Simulation, report: RunReport) -> str:
@@ -50,9 +66,13 @@ def _performance(sim: Simulation, report: RunReport) -> str:
         per_day = 24.0 * 3600.0 * rate * sim.dt
         atoms, prefix = _scaled(rate * sim.natoms)
         text = f"Performance: {per_day:.3f} tau/day, {rate:.3f} timesteps/s, {atoms:.3f} {prefix}atom-step/s\n"
+    return text
+
+
+def _processor(sim: Simulation, report: RunReport) -> str:
     spent = time.process_time() - sim.output.started[1]
     share = 100.0 * spent / report.seconds if report.seconds > 0.0 else 0.0
-    return text + f"{share:.1f}% CPU use with 1 MPI tasks x 1 OpenMP threads\n"
+    return f"{share:.1f}% CPU use with 1 MPI tasks x 1 OpenMP threads\n"
 
 
 def _scaled(value: float) -> tuple[float, str]:

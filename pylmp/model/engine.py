@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
+    from pylmp.model.minimize import MinPlan, MinReport
     from pylmp.model.scene import Scene
     from pylmp.model.simulation import Simulation
 
@@ -41,6 +42,10 @@ class RunReport:
 
 class Engine(Protocol):
     name: str
+
+    def minimize(self, sim: Simulation, scene: Scene, plan: MinPlan) -> tuple[RunReport, MinReport]:
+        """Move the atoms to a minimum of the energy."""
+        ...
 
     def run(self, sim: Simulation, scene: Scene, plan: RunPlan) -> RunReport:
         """Carry out plan, calling sim.output at the steps that are due."""

@@ -114,6 +114,13 @@ class Output:
             self._schedule_thermo(sim)
         self._find_due()
 
+    def write_all(self, sim: Simulation) -> None:
+        """Write everything at sim.step, the last one of a minimization, unless it was just written."""
+        for dump in self.dumps.values():
+            dump.write_due(sim)
+        sim.asking.block()
+        self.thermo.line()
+
     def _schedule_thermo(self, sim: Simulation) -> None:
         """When the next line is due; what this one evaluated is wanted again then."""
         following = (sim.step // self.every + 1) * self.every if self.every else self.last

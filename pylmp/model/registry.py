@@ -102,6 +102,7 @@ FIXES: Registry[Any] = Registry("fix style", "pylmp.fixes")
 COMPUTES: Registry[Any] = Registry("compute style", "pylmp.computes")
 DUMPS: Registry[Any] = Registry("dump style", "pylmp.dumps")
 REGIONS: Registry[Any] = Registry("region style", "pylmp.regions")
+MINIMIZERS: Registry[Any] = Registry("minimize style", "pylmp.minimizers")
 THERMOS: Registry[Any] = Registry("thermo style", "pylmp.thermo")
 
 

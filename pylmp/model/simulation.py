@@ -14,6 +14,7 @@ from pylmp.model.checks import check_integration, check_neighbor_settings
 from pylmp.model.console import Console
 from pylmp.model.groups import Groups
 from pylmp.model.labels import Labels
+from pylmp.model.minimize import MinSettings
 from pylmp.model.output import Output, add_default_computes
 from pylmp.model.settings import CommSettings, NeighborSettings, SortSettings, SpecialSettings, Tally
 from pylmp.model.topology import KINDS, Kind
@@ -100,6 +101,7 @@ class Simulation:
         self.natoms = 0  # LAMMPS's global count; atoms.n falls below it when atoms are lost
         self.waiting: Any = None  # what a restart file brought for fixes to come
         self.skip_run = False
+        self.minimizing = MinSettings()
 
     def finish(self) -> None:
         """The script ends or starts over: fixes end what they write, dumps are closed."""

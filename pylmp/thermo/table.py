@@ -97,8 +97,11 @@ class Thermo:
     def per_atom(self, value: float) -> float:
         """value over the number of atoms where norm is on."""
         atoms = self.sim.atoms.n
-        normed = self.sim.units.norm if self.norm is None else self.norm
-        return value / atoms if normed and atoms else value
+        return value / atoms if self.normed and atoms else value
+
+    @property
+    def normed(self) -> bool:
+        return self.sim.units.norm if self.norm is None else self.norm
 
     def cpu(self) -> float:
         """Wall seconds since the loop of the run began; 0 on the line before its first step."""

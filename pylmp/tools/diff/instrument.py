@@ -27,7 +27,7 @@ def instrument(lines: list[str]) -> list[str]:
                 bonds, stores_bonds = "", False
             elif words[:1] == ["bond_style"] and len(words) > 1:
                 bonds = words[1]
-            elif words[:1] == ["run"]:
+            elif words[:1] in (["run"], ["minimize"]):
                 before, pending = _around(bonds if stores_bonds else "")
                 result += before
         result.append(line)
