@@ -12,7 +12,7 @@ PACKAGE = Path(__file__).parents[2] / "pylmp"
 FLOORS = {
     "text": 0, "kernels": 0, "laws": 0,
     "model": 1,
-    "commands": 2, "bonds": 2, "pairs": 2, "fixes": 2, "computes": 2, "dumps": 2, "regions": 2, "thermo": 2, "io": 2,
+    "commands": 2, "bonds": 2, "pairs": 2, "fixes": 2, "minimizers": 2, "computes": 2, "dumps": 2, "regions": 2, "thermo": 2, "io": 2,
     "angles": 2, "dihedrals": 2, "impropers": 2,
     "interpreter": 3, "references": 3,
     "engines": 4,
