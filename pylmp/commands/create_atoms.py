@@ -42,6 +42,7 @@ class _Options:
 def create_atoms(sim: Simulation, args: Args) -> None:
     """Fill the box or a region with lattice sites, place one atom, or place atoms at random."""
     args.need(2)
+    sim.labels.translate(args, "atom")
     type_word, style = args.word(), args.word()
     kind = args.as_integer(type_word)
     if style.text == "mesh":
@@ -143,7 +144,9 @@ def _read_option(sim: Simulation, args: Args, key: Word, options: _Options) -> N
         if options.tries <= 0:
             args.fail(f"Illegal create_atoms maxtry value {options.tries}", hint="a positive number")
     elif key.text == "basis":
-        which, other = args.integer(), args.integer()
+        which = args.integer()
+        sim.labels.translate(args, "atom")
+        other = args.integer()
         sites = len(sim.lattice.basis) if sim.lattice else 0
         if not 1 <= which <= sites or not 1 <= other <= sim.atom_types:
             args.fail(f"Out of range basis setting '{which} {other}' in create_atoms command")

@@ -136,7 +136,19 @@ def _by_number(sim: Simulation, args: Args, style: Word, bit: int) -> tuple[Mask
     if style.text == "molecule" and not sim.has_bonds:
         args.fail("Group molecule command requires atom attribute molecule", style)
     values = {"type": atoms.type, "id": atoms.tag, "molecule": atoms.molecule}[style.text][: atoms.n]
+    if style.text == "type":
+        _number_labels(sim, args)
     return _match(args, style, values), _nobody(sim)
+
+
+def _number_labels(sim: Simulation, args: Args) -> None:
+    """Type labels among the words left become numbers."""
+    start = args.at
+    while len(args):
+        if args.words[args.at].text not in (*_CONDITIONS, "<>"):
+            sim.labels.translate(args, "atom")
+        args.word()
+    args.at = start
 
 
 def _combine(sim: Simulation, args: Args, style: Word, bit: int) -> tuple[Mask, Mask]:

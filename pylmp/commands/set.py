@@ -82,6 +82,8 @@ class _Selection:
         elif self.style in ("atom", "type", "mol"):
             if self.style == "mol" and not sim.has_bonds:
                 args.fail("Cannot use set mol with no molecule IDs defined", style)
+            if self.style == "type":
+                identity = sim.labels.resolved(args, "atom", identity)
             self.range = args.as_range(identity, 1, sim.atom_types if self.style == "type" else np.iinfo(np.int64).max)
         else:
             args.fail(f"Unknown set or fix set command style: {self.style}", style, hint="atom mol type group region")
@@ -174,6 +176,8 @@ def _whole(sim: Simulation, args: Args, name: str) -> Action:
     """Atom types and molecule IDs."""
     if name == "mol" and not sim.has_bonds:
         args.fail(f"Cannot set attribute mol for atom style {sim.atom_style}")
+    if name == "type" and not args.words[args.at].text.startswith("v_"):
+        sim.labels.translate(args, "atom")
     value = _Value.read(sim, args, whole=True)
     low, high = (1, sim.atom_types) if name == "type" else (0, np.iinfo(np.int64).max)
     if not value.name and not low <= value.number <= high:
@@ -192,6 +196,7 @@ def _whole(sim: Simulation, args: Args, name: str) -> Action:
 
 def _some_types(sim: Simulation, args: Args, name: str) -> Action:
     """type/fraction: each with a probability, drawn from seed and position; type/ratio, type/subset: exactly so many."""
+    sim.labels.translate(args, "atom")
     kind = args.integer()
     if not 1 <= kind <= sim.atom_types:
         args.fail("Invalid atom type in set command", hint=f"types are 1 to {sim.atom_types}")
@@ -251,6 +256,7 @@ def _image(sim: Simulation, args: Args) -> Action:
 def _topology(sim: Simulation, args: Args, name: str) -> Action:
     """The type of bonds, angles, dihedrals, impropers all of whose atoms are selected."""
     kind = KIND[name]
+    sim.labels.translate(args, name)
     number = args.integer()
     if not 1 <= number <= kind.types(sim):
         args.fail(f"Invalid {name} type {number} in set command", hint=f"{name} types are 1 to {kind.types(sim)}")

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from pylmp.text.words import Args
+from pylmp.text.words import Args, Word
 
 _LABEL = re.compile(r"[^\s\d*#]\S*", re.ASCII)
 
@@ -45,10 +45,15 @@ class Labels:
     def translate(self, args: Args, kind: str) -> None:
         """Replace the next word by its type number if it is a label. Raises ScriptError for unknown labels."""
         word = args.peek()
-        if word is None or not self.in_use or not is_label(word.text):
-            return
+        if word is not None:
+            args.words[args.at] = self.resolved(args, kind, word)
+
+    def resolved(self, args: Args, kind: str, word: Word) -> Word:
+        """The word, or the number of the type if it is a label. Raises ScriptError for unknown labels."""
+        if not self.in_use or not is_label(word.text):
+            return word
         number = self.number(kind, word.text)
         if number == 0:
             known = " ".join(self.of(kind).values())
             args.fail(f"{kind.capitalize()} type string {word.text} not found in labelmap", word, hint=f"labels: {known or 'none'}")
-        args.words[args.at] = replace(word, text=str(number))
+        return replace(word, text=str(number))
