@@ -10,7 +10,7 @@ from typing import NoReturn
 from pylmp.kernels import disk
 from pylmp.model.registry import COMMANDS
 from pylmp.model.simulation import Simulation
-from pylmp.references import Scope
+from pylmp.references.scope import Scope
 from pylmp.text import grammar
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.grammar import Rejection, check, rules

@@ -10,5 +10,5 @@ from pylmp.text.words import Args
 @command("next")
 def next_(sim: Simulation, args: Args) -> None:
     """Advance variables; when they are used up they vanish, and the next jump is skipped."""
-    if sim.script.variables.advance(args):
+    if sim.script.variables.advance(args, sim.script.scope):
         sim.script.skip_next_jump()

@@ -10,4 +10,4 @@ from pylmp.text.words import Args
 @command("variable")
 def variable(sim: Simulation, args: Args) -> None:
     """Define or delete a variable."""
-    sim.script.variables.define(args, sim.script.substitute_text)
+    sim.script.variables.define(args, sim.script.substitute_text, sim.script.scope)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pylmp.model.atoms import Floats
-from pylmp.text.diagnostic import ScriptError
-from pylmp.text.variables import Variable
+from pylmp.text.variable_styles import Variable
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
@@ -31,23 +30,23 @@ class Variables:
         script = self._sim.script
         return float(script.variables.value(name, script.scope))
 
+    def per_atom(self, name: str, rows: Any = None) -> Floats:
+        """(n,) float64: what an atom-style variable is worth now for each owned atom, in local order.
+
+        rows: row numbers, for which alone it is then evaluated: LAMMPS looks only at the atoms of the user's group, which
+        matters where a formula is wrong for others or draws random numbers. Raises ScriptError with LAMMPS's sentence.
+        """
+        script = self._sim.script
+        values: Floats = script.variables.per_atom(name, script.scope, rows)
+        return values
+
     def vector(self, name: str) -> Floats:
-        """(k,) float64: the numbers of a vector-style variable now. Raises ScriptError with LAMMPS's sentence."""
+        """(k,) float64: the elements of a vector-style variable, now. Raises ScriptError."""
         script = self._sim.script
         values: Floats = script.variables.vector(name, script.scope)
         return values
 
-    def per_atom(self, name: str) -> Floats:
-        """(n,) float64: what an atom-style variable is worth now for each owned atom, in local order.
-
-        Raises ScriptError with LAMMPS's sentence.
-        """
-        script = self._sim.script
-        if not hasattr(script.variables, "per_atom"):
-            raise ScriptError(f"Variable {name}: atom-style variables need a script")
-        return script.variables.per_atom(name, script.scope)
-
     def set_internal(self, name: str, value: float) -> None:
         """Give an internal-style variable, made if need be, a number. Formulas read it with all digits."""
         script = self._sim.script
-        script.variables.known[name] = Variable("internal", [repr(value)])
+        script.variables.known[name] = Variable("internal", number=value)

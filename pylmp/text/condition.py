@@ -10,7 +10,8 @@ from typing import Any
 from lark import Token, Tree, UnexpectedInput
 
 from pylmp.text.formula import number
-from pylmp.text.functions import FormulaError, compare
+from pylmp.text.formula_error import FormulaError
+from pylmp.text.functions import compare
 from pylmp.text.grammar import parser
 
 _SYNTAX = "Invalid Boolean syntax in if command"

@@ -25,6 +25,7 @@ class Diagnostic:
     code      the rule: "E..." errors, "D..." departures from LAMMPS, "B..." restrictions of a bond style
     manual    page under docs.lammps.org, e.g. "bond_quartic.html"
     severity  "error", "warning" or "note"
+    formula   the formula it is about, the offset and length of what is wrong in it
     """
 
     message: str
@@ -33,6 +34,7 @@ class Diagnostic:
     code: str = ""
     manual: str = ""
     severity: str = "error"
+    formula: tuple[str, int, int] | None = None
 
 
 class ScriptError(Exception):
@@ -48,6 +50,12 @@ class ScriptError(Exception):
         """This error, placed at span unless it has a place already."""
         if self.diagnostic.span is None:
             self.diagnostic = replace(self.diagnostic, span=span)
+        return self
+
+    def inside(self, formula: str, at: int, length: int) -> Self:
+        """This error, at a place in a formula unless it has one already."""
+        if self.diagnostic.formula is None:
+            self.diagnostic = replace(self.diagnostic, formula=(formula, at, length))
         return self
 
 
@@ -70,6 +78,9 @@ def render(diagnostic: Diagnostic, source: Callable[[Span], str] | None = None) 
             text = text.rstrip("\n")
             before = "".join("\t" if c == "\t" else " " for c in text[: span.column - 1])
             lines += [f"   | {text}", f"   | {before}{'^' * max(1, span.length)}"]
+    if diagnostic.formula is not None:
+        formula, at, length = diagnostic.formula
+        lines += [f"  --> column {at + 1} of the formula", f"   | {formula}", f"   | {' ' * at}{'^' * max(1, length)}"]
     if diagnostic.hint:
         lines.append(f"  hint: {diagnostic.hint}")
     if diagnostic.manual:

@@ -7,44 +7,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from typing import Any
 
-from pylmp.text.diagnostic import ScriptError, Unsupported
-from pylmp.text.formula import Scope, evaluate
-from pylmp.text.functions import FormulaError
+import numpy as np
+
+from pylmp.text.columns import Floats, evaluate_columns
+from pylmp.text.diagnostic import ScriptError
+from pylmp.text.evaluate import Scope, Value, evaluate
+from pylmp.text.formula_error import FormulaError
+from pylmp.text.number import shortest
 from pylmp.text.printf import Format
+from pylmp.text.variable_styles import ADVANCING, READERS, Variable, World
 from pylmp.text.words import Args, Word
 
-_ELSEWHERE = (
-    "world", "universe", "uloop", "getenv", "file", "atomfile", "format", "python", "timer", "internal", "atom", "vector",
-)  # fmt: skip
-_ADVANCING = ("index", "loop")
 _NAME = re.compile("[A-Za-z0-9_]+")
 _FORM = re.compile(r"[^%]*%[-+ #0]*\d*\.\d+[eEfFgG][^%]*")
+_NUMBER = re.compile(r"\s*[-+]?((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?|inf(inity)?|nan)\s*", re.IGNORECASE)
 _DEEPEST = 100  # variables that refer to variables
-
-
-@dataclass
-class Variable:
-    """values: index: its strings; loop: nothing, first..last are numbers; string and equal: one text."""
-
-    style: str
-    values: list[str] = field(default_factory=list)
-    at: int = 0
-    first: int = 1
-    last: int = 1
-    width: int = 0
-
-    @property
-    def size(self) -> int:
-        """How many values an index or loop variable has."""
-        return len(self.values) if self.style == "index" else self.last - self.first + 1
-
-    def text(self) -> str:
-        """The current value of index, loop and string variables."""
-        if self.style == "loop":
-            return str(self.first + self.at).zfill(self.width)
-        return self.values[self.at]
 
 
 class Variables:
@@ -52,52 +31,34 @@ class Variables:
 
     def __init__(self) -> None:
         self.known: dict[str, Variable] = {}
-        self._evaluating: list[str] = []  # equal-style variables, each needed by the one before
+        self._evaluating: list[str] = []  # formulas in progress, each needed by the one before
 
-    def define(self, args: Args, substitute: Callable[[Word, bool], str]) -> None:
+    # ---- the commands variable and next, the switch -var ------------------------------------------------------
+
+    def define(self, args: Args, substitute: Callable[[Word, bool], str], world: World) -> None:
         """The variable command; substitute(word, echo) replaces the references in a quoted word."""
         if len(args) < 2:
             args.missing()
         name, style = args.word(), args.word()
         if style.text == "delete":
             if len(args):
-                args.fail(
-                    f"Illegal variable delete command: expected 2 arguments but found {2 + len(args)}", args.peek()
-                )
-            self.known.pop(name.text, None)
+                text = f"Illegal variable delete command: expected 2 arguments but found {2 + len(args)}"
+                args.fail(text, args.peek())
+            self.forget(name.text)
             return
         if not _NAME.fullmatch(name.text):
             args.fail(f"Variable name '{name.text}' must have only letters, numbers, or underscores", name)
-        if style.text in _ELSEWHERE:
-            raise Unsupported(
-                f"LAMMPS has variable style {style.text}, pylmp's native engines do not",
-                style.span,
-                manual="variable.html",
-            )
-        if style.text not in (*_ADVANCING, "string", "equal"):
-            args.fail(f"Unknown variable style: {style.text}", style, hint="index loop string equal delete")
-        if style.text == "string" and len(args) != 1:
-            culprit = args.words[args.at + 1] if len(args) else style
-            args.fail(
-                f"Illegal variable command: expected 3 arguments but found {2 + len(args)}",
-                culprit,
-                hint="quote the text",
-            )
-        if not len(args):
-            args.fail(f"Illegal variable {style.text} command: missing argument(s)", style)
+        reader = READERS.get(style.text)
+        if reader is None:
+            args.fail(f"Unknown variable style: {style.text}", style, hint=" ".join([*READERS, "delete"]))
         before = self.known.get(name.text)
-        if style.text in _ADVANCING:
-            if before is None:
-                self.known[name.text] = self._loop(args) if style.text == "loop" else self._index(args)
-            return
-        if before is not None and before.style != style.text:
-            args.fail(
-                f"Cannot redefine variable {name.text} with a different style",
-                style,
-                hint=f"variable {name.text} delete first",
-            )
-        text = substitute(args.word(), True) if style.text == "string" else " ".join(word.text for word in args.rest())
-        self.known[name.text] = Variable(style.text, [text])
+        new = reader(args, style, substitute, world, before)
+        if new is None:
+            return  # the first definition stands
+        if before is not None and before.style != new.style:
+            text = f"Cannot redefine variable {name.text} with a different style"
+            args.fail(text, style, hint=f"variable {name.text} delete first")
+        self.known[name.text] = new
 
     def set_index(self, name: str, values: list[str]) -> None:
         """-var on the command line. Raises ScriptError."""
@@ -107,26 +68,11 @@ class Variables:
             )
         self.known.setdefault(name, Variable("index", values))
 
-    @staticmethod
-    def _index(args: Args) -> Variable:
-        return Variable("index", [word.text for word in args.rest()])
+    def forget(self, name: str) -> None:
+        """Delete a variable, if there is one."""
+        self.known.pop(name, None)
 
-    @staticmethod
-    def _loop(args: Args) -> Variable:
-        words = args.rest()
-        pad = len(words) > 1 and words[-1].text == "pad"
-        numbers = words[:-1] if pad else words
-        if not 1 <= len(numbers) <= 2:
-            args.fail("Illegal variable loop command: too many arguments", words[-1])
-        values = [args.as_integer(word) for word in numbers]
-        first, last = (1, values[0]) if len(values) == 1 else (values[0], values[1])
-        if len(values) == 1 and last <= 0:
-            args.fail(f"Invalid variable loop argument: {last}", numbers[0], hint="a positive number")
-        if first > last:
-            args.fail(f"Illegal variable loop command: {first} > {last}", numbers[0])
-        return Variable("loop", first=first, last=last, width=len(str(last)) if pad else 0)
-
-    def advance(self, args: Args) -> bool:
+    def advance(self, args: Args, world: World) -> bool:
         """The next command; True when the values are used up: the variables are gone, and a jump is to be skipped."""
         args.need(1)
         words = args.rest()
@@ -134,30 +80,45 @@ class Variables:
             variable = self.known.get(word.text)
             if variable is None:
                 args.fail(f"Invalid variable '{word.text}' in next command", word)
-            if variable.style not in _ADVANCING:
-                args.fail(
-                    f"Variable {word.text} has invalid style {variable.style} for next command", word,
-                    hint="index and loop variables advance",
-                )  # fmt: skip
-        if len({self.known[word.text].style for word in words}) > 1:
+            if variable.style not in ADVANCING:
+                text = f"Variable {word.text} has invalid style {variable.style} for next command"
+                args.fail(text, word, hint=f"these advance: {' '.join(ADVANCING)}")
+        styles = {ADVANCING[self.known[word.text].style] for word in words}
+        if len(styles) > 1:
             args.fail("All variables in next command must have same style", words[0])
         used_up = False
-        for name in dict.fromkeys(word.text for word in words):
-            variable = self.known[name]
-            variable.at += 1
-            if variable.at >= variable.size:
-                del self.known[name]
+        names = list(dict.fromkeys(word.text for word in words))
+        if styles == {"universe"}:
+            world.say(f"Increment via next: value {self.known[names[0]].at + 2} on partition 0\n")
+        for name in names:
+            if not self.known[name].advance():
+                self.forget(name)
                 used_up = True
         return used_up
 
+    # ---- what they are worth ----------------------------------------------------------------------------------
+
     def text(self, name: str, scope: Scope) -> str | None:
-        """What ``${name}`` becomes; None if there is no such variable."""
+        """What ``${name}`` becomes; None if there is no such variable, or none that has a text."""
         variable = self.known.get(name)
-        if variable is None:
+        if variable is None or variable.style in ("atom", "atomfile"):
             return None
         if variable.style == "equal":
-            return Format("%.15g")(self._evaluate(name, scope))
+            return Format("%.15g")(self._number(name, scope))
+        if variable.style == "vector":
+            return f"[{','.join(shortest(value) for value in self.vector(name, scope))}]"
+        if variable.style == "format":
+            return self._formatted(name, variable, scope)
         return variable.text()
+
+    def _formatted(self, name: str, variable: Variable, scope: Scope) -> str:
+        other, form = variable.values
+        source = self.known.get(other)
+        if source is None:
+            raise ScriptError(f"Variable {name}: format variable {other} does not exist")
+        if source.style not in ("equal", "timer", "internal"):
+            raise ScriptError(f"Variable {name}: format variable {other} has incompatible style")
+        return Format(form)(self.value(other, scope))
 
     def number(self, name: str, scope: Scope) -> float:
         """What ``v_name`` is worth in a formula: LAMMPS hands variables on as text of 15 digits. Raises ScriptError."""
@@ -168,29 +129,65 @@ class Variables:
                 f"Invalid variable reference v_{name} in variable formula", manual="variable.html",
                 hint=f"variables: {known}" if known else "no variable is defined",
             )  # fmt: skip
-        if variable.style == "equal":
-            return float(f"{self._evaluate(name, scope):.15g}")
-        try:
-            return float(variable.text())
-        except ValueError:
-            raise ScriptError(f"Variable {name}: Non-numeric variable value in variable formula") from None
+        if variable.style in ("timer", "internal"):
+            return variable.number
+        text = self.text(name, scope)
+        if text is None or not _NUMBER.fullmatch(text):
+            raise ScriptError(f"Variable {name}: Non-numeric variable value in variable formula")
+        return float(text)
 
     def value(self, name: str, scope: Scope) -> float:
         """What an equal-style variable is worth, all digits: what fixes, computes and thermo columns read. Raises ScriptError."""
-        return self._evaluate(name, scope)
+        variable = self.known[name]
+        return self._number(name, scope) if variable.style == "equal" else variable.number
 
-    def _evaluate(self, name: str, scope: Scope) -> float:
+    def _number(self, name: str, scope: Scope) -> float:
+        return float(self._evaluate(name, lambda text: evaluate(text, scope)))
+
+    def per_atom(self, name: str, scope: Scope, rows: Any = None) -> Floats:
+        """(n,) float64: what an atom-style variable is worth for each owned atom, or for rows only. Raises ScriptError."""
+        variable = self.known[name]
+        count = scope.count() if rows is None else len(rows)
+        if variable.style == "atomfile":
+            return scope.by_tag(variable.table) if rows is None else scope.by_tag(variable.table)[rows]
+        values = self._evaluate(name, lambda text: evaluate_columns(text, scope, "atom", rows))
+        return values if isinstance(values, np.ndarray) else np.full(count, values)
+
+    def vector(self, name: str, scope: Scope) -> Floats:
+        """(k,) float64: the elements of a vector-style variable. Raises ScriptError."""
+        text = self.known[name].values[0]
+        if text.startswith("["):
+            return _literal(text)
+        values = self._evaluate(name, lambda text: evaluate_columns(text, scope, "vector"))
+        if not isinstance(values, np.ndarray):
+            raise ScriptError(f"Variable {name}: Vector-style variable has zero length", hint="it refers to no vector")
+        return values
+
+    def _evaluate(self, name: str, how: Callable[[str], Value]) -> Value:
         if name in self._evaluating:
             raise ScriptError(f"Variable {name}: has a circular dependency", manual="variable.html")
         if len(self._evaluating) >= _DEEPEST:
             raise ScriptError(f"Variable {name}: too many variables refer to each other", manual="variable.html")
         self._evaluating.append(name)
         try:
-            return evaluate(self.known[name].values[0], scope)
+            return how(self.known[name].values[0])
         except FormulaError as error:
-            raise ScriptError(f"Variable {name}: {error}", manual="variable.html") from None
+            raise _told(error, "" if error.plain else f"Variable {name}: ") from None
         finally:
             self._evaluating.pop()
+
+
+def _literal(text: str) -> Floats:
+    """``[1,2,3]``."""
+    if not text.endswith("]"):
+        raise ScriptError(f"Vector variable formula lacks opening or closing brace: {text}")
+    words = Args("variable", [Word(part) for part in text[1:-1].replace(",", " ").split()])
+    return np.array([words.number() for _ in range(len(words))])
+
+
+def _told(error: FormulaError, prefix: str) -> ScriptError:
+    told = ScriptError(f"{prefix}{error}", hint=error.hint, manual="variable.html")
+    return told.inside(*error.place) if error.place else told
 
 
 def immediate(text: str, scope: Scope) -> str:
@@ -206,5 +203,5 @@ def immediate(text: str, scope: Scope) -> str:
     try:
         value = evaluate(formula, scope)
     except FormulaError as error:
-        raise ScriptError(str(error), manual="variable.html") from None
+        raise _told(error, "") from None
     return Format(form)(value)

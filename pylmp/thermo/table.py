@@ -126,11 +126,9 @@ class Thermo:
     def value(self, keyword: str) -> float:
         """What keyword is worth now; a formula may ask for any keyword.
 
-        Raises ScriptError with LAMMPS's sentence when it is unknown or not current.
+        Raises ScriptError with LAMMPS's sentence when it is not current.
         """
-        known = KEYWORDS.get(keyword)
-        if known is None:
-            raise ScriptError(f"Invalid thermo keyword '{keyword}' in variable formula", manual="thermo_style.html")
+        known = KEYWORDS[keyword]
         if "r" in known.needs and not self.sim.output.running:
             raise ScriptError(f"The variable thermo keyword {keyword} cannot be used between runs")
         if "e" in known.needs and not self.sim.tally.has(ENERGY, self.sim.step):
