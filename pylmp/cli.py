@@ -93,8 +93,8 @@ def _parser() -> argparse.ArgumentParser:
         "--allow",
         action="append",
         default=[],
-        choices=("write",),
-        help="let the script write outside the working directory",
+        choices=("write", "env"),
+        help="let the script write outside the working directory, or read the environment",
     )
     add("--version", action="version", version=f"pylmp {__version__}")
     return parser
