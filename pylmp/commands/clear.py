@@ -13,4 +13,5 @@ def clear(sim: Simulation, args: Args) -> None:
     if len(args):
         args.fail(f"Illegal clear command: unexpected arguments but found {len(args)}", args.peek())
     sim.finish()
+    sim.script.variables.clear()
     sim.clear()

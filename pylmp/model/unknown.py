@@ -37,9 +37,14 @@ ELSEWHERE = {
 }  # fmt: skip
 
 
+def is_elsewhere(kind: str, name: str) -> bool:
+    """LAMMPS has a style of that name."""
+    return name.removesuffix("/omp").removesuffix("/opt") in ELSEWHERE.get(kind, "").split()
+
+
 def unknown_style(args: Args, name: Word, kind: str, registry: Registry[Any]) -> NoReturn:
     """LAMMPS's sentence with a guess at what was meant; or that only LAMMPS has it."""
-    if name.text.removesuffix("/omp").removesuffix("/opt") in ELSEWHERE.get(kind, "").split():
+    if is_elsewhere(kind, name.text):
         raise Unsupported(
             f"LAMMPS has {kind} style {name.text}, pylmp's native engines do not", name.span,
             hint="--engine lammps runs this script on LAMMPS", manual=f"{kind}_{name.text.replace('/', '_')}.html",

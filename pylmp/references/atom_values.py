@@ -18,7 +18,7 @@ def one(sim: Simulation, name: str, tag: int) -> float:
     """A property of the atom with that ID; 0.0 if it was lost or deleted."""
     if name not in _PLAIN and name not in _AXES and name != "mass":
         raise FormulaError(f"Invalid atom vector {name} in variable formula", plain=True)
-    if _absent(sim, name) or name == "radius":
+    if _absent(sim, name):
         raise FormulaError("Variable uses atom property that isn't allocated", plain=True)
     row = row_of(sim, tag)
     return 0.0 if row is None else float(every(sim, name)[row])
@@ -39,9 +39,7 @@ def every(sim: Simulation, name: str) -> Floats:
 
 
 def _absent(sim: Simulation, name: str) -> bool:
-    if name == "mol":
-        return not sim.has_bonds
-    return name in _PLAIN and not hasattr(sim.atoms, _PLAIN[name])
+    return {"mol": not sim.has_bonds, "q": not sim.style.charged, "radius": True}.get(name, False)
 
 
 def row_of(sim: Simulation, tag: int) -> int | None:

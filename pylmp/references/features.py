@@ -8,7 +8,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from pylmp.model.registry import COMMANDS, COMPUTES, FIXES
+from pylmp.model.registry import BONDS, COMMANDS, COMPUTES, DUMPS, FIXES, PAIRS, REGIONS, Registry
+from pylmp.model.unknown import is_elsewhere
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.formula_error import FormulaError
 
@@ -16,8 +17,11 @@ if TYPE_CHECKING:
     from pylmp.references.scope import Scope
 
 _PACKAGES = ("gpu", "intel", "kokkos", "omp")
+_REGISTRIES: dict[str, Registry[Any]] = {
+    "command": COMMANDS, "compute": COMPUTES, "fix": FIXES, "pair": PAIRS, "bond": BONDS, "dump": DUMPS, "region": REGIONS,
+}  # fmt: skip
 _ROOM = 16384  # LAMMPS makes room for so many atoms at a time
-_FLAGS = "q mu rmass radius ellipsoid omega torque angmom peri".split()
+_FLAGS = "mu rmass radius ellipsoid omega torque angmom peri".split()
 
 
 def _two(function: str, names: tuple[str, ...]) -> tuple[str, str]:
@@ -48,9 +52,9 @@ def is_available(scope: Scope, names: tuple[str, ...], mode: str) -> float:
     category, name = _two("is_available", names)
     if category == "feature":
         return float(name in ("gzip", "exceptions"))
-    registry: Any = {"command": COMMANDS, "compute": COMPUTES, "fix": FIXES}.get(category)
-    if registry is None or (registry.find(name) is None and category != "compute"):
-        _unknown("is_available", category)  # as LAMMPS does for commands and fixes it lacks
+    registry = _REGISTRIES.get(category)
+    if registry is None or (registry.find(name) is None and not is_elsewhere(category, name)):
+        _unknown("is_available", category)  # as LAMMPS says of styles too that it does not have
     return float(registry.find(name) is not None)
 
 
@@ -69,7 +73,7 @@ def is_active(scope: Scope, names: tuple[str, ...], mode: str) -> float:
         there = pair is not None
         states = {
             "single": there, "respa": there, "manybody": False, "tail": there and bool(pair.tail),
-            "shift": there and bool(pair.options.get("shift", False)),
+            "shift": there and pair.settings.shift,
         }  # fmt: skip
     else:
         return _style(sim, category, name)
@@ -79,12 +83,14 @@ def is_active(scope: Scope, names: tuple[str, ...], mode: str) -> float:
 
 
 def _style(sim: Any, category: str, name: str) -> float:
-    pair = sim.pair.style.name if sim.pair else "none"
     bond = (sim.bond.parts[0].style.name if len(sim.bond.parts) == 1 else "hybrid") if sim.bond else "none"
     styles = {
-        "comm_style": "brick", "min_style": "cg", "run_style": "verlet", "atom_style": sim.atom_style, "pair_style": pair,
-        "bond_style": bond, "angle_style": "none", "dihedral_style": "none", "improper_style": "none", "kspace_style": "none",
+        "comm_style": "brick", "min_style": "cg", "run_style": "verlet", "atom_style": sim.atom_style, "pair_style": sim.pair.name if sim.pair else "none",
+        "bond_style": bond, "kspace_style": "none",
     }  # fmt: skip
+    for kind in ("angle", "dihedral", "improper"):
+        style = getattr(sim, kind)
+        styles[f"{kind}_style"] = style.name if style else "none"
     if category not in styles:
         _unknown("is_active", category)
     return float(styles[category] == name)
@@ -97,11 +103,13 @@ def extract_setting(scope: Scope, names: tuple[str, ...], mode: str) -> float:
     sim, atoms = scope.sim, scope.sim.atoms
     known = {
         "bigint": 8, "tagint": 4, "imageint": 4, "box_exist": int(sim.has_box), "dimension": sim.dimension,
-        "ntypes": sim.atom_types, "nbondtypes": sim.bond_types, "nangletypes": 0, "ndihedraltypes": 0, "nimpropertypes": 0,
+        "ntypes": sim.atom_types, "nbondtypes": sim.bond_types, "nangletypes": sim.angle_types, "ndihedraltypes": sim.dihedral_types,
+        "nimpropertypes": sim.improper_types,
         "nlocal": atoms.n, "nghost": atoms.ghosts, "nall": atoms.total, "nmax": math.ceil(atoms.total / _ROOM) * _ROOM or 1,
         "world_size": 1, "world_rank": 0, "universe_size": 1, "universe_rank": 0, "comm_mode": 0, "nthreads": 1,
         "newton_bond": int(sim.newton_bond), "newton_pair": int(sim.newton_pair), "triclinic": 0, "kokkos_active": 0,
         "kokkos_nthreads": 0, "kokkos_ngpus": 0, "molecule_flag": int(sim.has_bonds), **{f"{name}_flag": 0 for name in _FLAGS},
+        "q_flag": int(sim.style.charged),
     }  # fmt: skip
     if names[0] not in known:
         raise FormulaError(f"Unknown setting {names[0]} for extract_setting() function in variable formula")

@@ -90,8 +90,7 @@ def _bound(m: Members, at: int) -> float:
 
 
 def _charge(m: Members, at: int) -> float:
-    charges = getattr(m.sim.atoms, "q", None)
-    return total(charges[: m.sim.atoms.n][m.chosen]) if charges is not None else 0.0
+    return total(m.sim.atoms.q[: m.sim.atoms.n][m.chosen])
 
 
 def _tensor(m: Members, at: int) -> float:

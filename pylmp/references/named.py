@@ -18,6 +18,7 @@ from pylmp.text.formula_error import FormulaError
 if TYPE_CHECKING:
     from pylmp.references.scope import Scope
 
+_KINDS = ("atom", "bond", "angle", "dihedral", "improper")
 _SPECIAL = "Invalid special function in variable formula"
 
 
@@ -66,7 +67,7 @@ def _next(scope: Scope, names: tuple[str, ...], mode: str) -> Any:
     if variable.style == "file":
         result: Any = scope.variables.number(name, scope)
     elif mode != "atom":
-        raise FormulaError("Atomfile variable in equal-style variable formula", plain=True)
+        raise ScriptError(f"Variable {name}: Atomfile variable in {mode}-style variable formula")
     else:
         result = by_tag(scope.sim, *variable.table)
     if not variable.advance():
@@ -101,7 +102,21 @@ def _is_timeout(scope: Scope, names: tuple[str, ...], mode: str) -> float:
 
 def _label(function: str) -> Callable[..., float]:
     def label(scope: Scope, names: tuple[str, ...], mode: str) -> float:
-        raise FormulaError(f"Cannot use {function}() function without a labelmap")
+        """The type that a label stands for, or whether it stands for one."""
+        labels = scope.sim.labels
+        if not labels.in_use:
+            raise FormulaError(f"Cannot use {function}() function without a labelmap")
+        if len(names) < 2:
+            raise FormulaError(f"Invalid {function}({names[0]}) function in variable formula")
+        kind, text = names[0], ",".join(names[1:])
+        if kind not in _KINDS:
+            raise FormulaError(f"Invalid kind {kind} in {function}() in variable", hint=" ".join(_KINDS))
+        number = labels.number(kind, text)
+        if function == "is_typelabel":
+            return float(number > 0)
+        if number == 0:
+            raise FormulaError(f"Invalid {kind} type label {text} in {function}() in variable", hint=" ".join(labels.of(kind).values()))
+        return float(number)
 
     return label
 

@@ -143,17 +143,17 @@ class Scope:
 
     # ---- the outside ------------------------------------------------------------------------------------------
 
-    def lines(self, path: Word) -> list[str]:
-        """The lines of a file."""
+    def lines(self, path: Word, what: str) -> list[str]:
+        """The lines of a file; what: how LAMMPS names it."""
         try:
             return Path(path.text).read_text(errors="surrogateescape").split("\n")
         except (OSError, ValueError) as error:
             why = error.strerror if isinstance(error, OSError) else "Invalid argument"
-            raise ScriptError(f"Cannot open file variable file {path.text}: {why}", path.span) from None
+            raise ScriptError(f"Cannot open {what} {path.text}: {why}", path.span) from None
 
-    def atom_sets(self, path: Word) -> Iterator[Any]:
+    def atom_sets(self, name: str, path: Word, lines: list[str]) -> Iterator[Any]:
         """The sets of per-atom values in a file."""
-        return atom_sets(self.sim, path, self.lines(path))
+        return atom_sets(self.sim, name, path, lines)
 
     def environment(self, key: Word) -> Callable[[], str]:
         """What reads an environment variable, if the script may."""

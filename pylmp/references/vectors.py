@@ -33,7 +33,7 @@ def _slope(y: Floats) -> float:
 
 def _trap(y: Floats) -> float:
     """Half weight for the ends."""
-    return total(y) - 0.5 * y[0] - 0.5 * y[-1] if len(y) else 0.0
+    return total(y) - 0.5 * (float(y[0]) + float(y[-1])) if len(y) else 0.0
 
 
 FUNCTIONS: dict[str, Callable[[Floats], Any]] = {
@@ -48,6 +48,8 @@ def value(scope: Scope, function: str, names: tuple[str, ...], mode: str) -> Any
     if len(names) != 1:
         raise FormulaError(f"Invalid special function {function}() in variable formula")
     values = _vector(scope, names[0])
+    if function == "ave" and not len(values):
+        raise ScriptError(f"Variable {names[0][2:]}: Cannot compute average of empty vector")
     if function in ("sort", "rsort") and mode != "vector":
         raise FormulaError("Invalid syntax in variable formula", hint=f"{function}() gives a vector")
     return FUNCTIONS[function](values)

@@ -25,8 +25,8 @@ _FORM = re.compile(r"%[-+ #0]*\d*(\.\d+)?[eEfFgG]")
 class World(Protocol):
     """What variables need from outside. Each raises ScriptError with LAMMPS's sentence."""
 
-    def lines(self, path: Word) -> list[str]: ...
-    def atom_sets(self, path: Word) -> Iterator[Any]: ...
+    def lines(self, path: Word, what: str) -> list[str]: ...
+    def atom_sets(self, name: str, path: Word, lines: list[str]) -> Iterator[Any]: ...
     def environment(self, key: Word) -> Callable[[], str]: ...
     def say(self, text: str) -> None: ...
 
@@ -146,18 +146,15 @@ def _file(args: Args, style: Word, substitute: Substitute, world: World, before:
     _expect(args, style, 1, 1, "3 arguments")
     if before is not None:
         return None
-    path = args.word()
-    if style.text == "atomfile":
-        new = Variable("atomfile", sets=world.atom_sets(path))
-        new.table = next(new.sets, None)
-        found = new.table is not None
-    else:
-        lines = (line.split("#")[0].strip() for line in world.lines(path))
-        new = Variable("file", [line for line in lines if line])
-        found = bool(new.values)
-    if not found:
-        args.fail(f"Cannot read file variable {args.words[0].text}", path, hint="it holds no value")
-    return new
+    name, path = args.words[0].text, args.word()
+    lines = world.lines(path, f"{style.text} variable {name} file")
+    if style.text == "file":
+        values = [text for line in lines if (text := line.split("#")[0].strip())]
+        if not values:
+            args.fail(f"File variable {name} could not read value from {path.text}", path)
+        return Variable("file", values)
+    sets = world.atom_sets(name, path, lines)
+    return Variable("atomfile", table=next(sets), sets=sets)
 
 
 def _format(args: Args, style: Word, substitute: Substitute, world: World, before: Variable | None) -> Variable:

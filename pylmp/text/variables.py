@@ -72,6 +72,11 @@ class Variables:
         """Delete a variable, if there is one."""
         self.known.pop(name, None)
 
+    def clear(self) -> None:
+        """The clear command: values by atom ID go with the atoms."""
+        for name in [name for name, variable in self.known.items() if variable.style == "atomfile"]:
+            self.forget(name)
+
     def advance(self, args: Args, world: World) -> bool:
         """The next command; True when the values are used up: the variables are gone, and a jump is to be skipped."""
         args.need(1)
@@ -181,7 +186,7 @@ def _literal(text: str) -> Floats:
     """``[1,2,3]``."""
     if not text.endswith("]"):
         raise ScriptError(f"Vector variable formula lacks opening or closing brace: {text}")
-    words = Args("variable", [Word(part) for part in text[1:-1].replace(",", " ").split()])
+    words = Args("variable", [Word(part.strip()) for part in text[1:-1].split(",") if part.strip()])
     return np.array([words.number() for _ in range(len(words))])
 
 
