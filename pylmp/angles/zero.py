@@ -5,7 +5,10 @@ Source: LAMMPS manual, angle_zero.html.
 
 from __future__ import annotations
 
-from pylmp.model.blob import Blob
+import math
+from collections.abc import Sequence
+
+from pylmp.model.blob import Blob, nearest
 from pylmp.model.many_body import ManyBodyStyle
 from pylmp.model.registry import ANGLES
 from pylmp.text.words import Args
@@ -27,4 +30,15 @@ def read(args: Args, types: int) -> tuple[range, tuple[float, ...]]:
     return kinds, (args.number() if len(args) else 0.0,)
 
 
-ANGLES.add("zero", ManyBodyStyle("zero", "angle_zero.html", 1, parse, read, Blob(coeffs=("theta0",), degrees=("theta0",))))
+def radians(values: Sequence[float]) -> tuple[float]:
+    return (values[0] / 180.0 * math.pi,)
+
+
+def degrees(values: Sequence[float]) -> tuple[float]:
+    """Those, with few digits if that will do, of which radians makes these."""
+    guess = values[0] / math.pi * 180.0
+    short = float(f"{guess:.12g}")
+    return (nearest(short if radians((short,)) == (values[0],) else guess, values[0], lambda angle: radians((angle,))[0]),)
+
+
+ANGLES.add("zero", ManyBodyStyle("zero", "angle_zero.html", 1, parse, read, Blob(coeffs=("theta0",), pack=radians, unpack=degrees)))

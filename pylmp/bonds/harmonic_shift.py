@@ -6,9 +6,11 @@ LAMMPS 22 Jul 2025.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from pylmp.laws import select, sqrt
+from pylmp.model.blob import Blob, nearest
 from pylmp.model.registry import BONDS
 from pylmp.model.style import BondStyle, Coeff, Law
 from pylmp.text.words import Args
@@ -41,11 +43,24 @@ def check(name: str) -> Any:
     return different
 
 
+def stiffness(values: Sequence[float]) -> tuple[float, ...]:
+    """Um, r0, rc to k, r0, rc, which is what LAMMPS keeps."""
+    um, r0, rc = values
+    gap = r0 - rc
+    return um / (gap * gap), r0, rc
+
+
+def depth(values: Sequence[float]) -> tuple[float, ...]:
+    k, r0, rc = values
+    return nearest(k * ((r0 - rc) * (r0 - rc)), k, lambda um: stiffness((um, r0, rc))[0]), r0, rc
+
+
 def style(name: str, cut: bool) -> BondStyle:
     return BondStyle(
         name=name, manual=f"bond_{name.replace('/', '_')}.html",
         coeffs=(Coeff("Um", "energy"), Coeff("r0", "distance"), Coeff("rc", "distance")),
         law=lambda options: shifted(cut), length=lambda coeffs, options: coeffs[1], check=check(name), omp=True, release=name,
+        restart=Blob(pack=stiffness, unpack=depth),
     )  # fmt: skip
 
 

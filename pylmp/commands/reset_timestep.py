@@ -24,3 +24,4 @@ def reset_timestep(sim: Simulation, args: Args) -> None:
         text = f"Cannot reset timestep with time-dependent fix {bound.style} defined"
         args.fail(text, args.owner, hint=f"unfix {bound.id} first")
     sim.step = step
+    sim.output.clock.book(step, sim.dt)

@@ -72,6 +72,7 @@ class _Selection:
     def __init__(self, sim: Simulation, args: Args, style: Word, identity: Word) -> None:
         self.sim, self.style, self.name = sim, style.text, identity.text
         self.bit, self.range, self.rows = 0, range(0), np.zeros(0, np.int64)
+        self.ghosts = False
         if self.style == "group":
             self.bit = sim.groups.bit(self.name)
             if not self.bit:
@@ -88,9 +89,11 @@ class _Selection:
         else:
             args.fail(f"Unknown set or fix set command style: {self.style}", style, hint="atom mol type group region")
 
-    def renew(self) -> None:
+    def renew(self, ghosts: bool = False) -> None:
+        """Select; ghosts: a keyword has just made them. Those of an earlier run do not count."""
+        self.ghosts |= ghosts
         atoms = self.sim.atoms
-        total = atoms.total
+        total = atoms.total if ghosts else atoms.n
         if self.style == "group":
             chosen = (atoms.mask[:total] & self.bit) != 0
         elif self.style == "region":
@@ -120,7 +123,8 @@ def set_(sim: Simulation, args: Args) -> None:
     selection.renew()
     counts = [(name, action(sim, selection)) for name, action in actions]
     sim.console.both("".join(f"  {count} settings made for {name}\n" for name, count in counts))
-    sim.atoms.clear_ghosts()
+    if selection.ghosts:
+        sim.atoms.clear_ghosts()
 
 
 def _action(sim: Simulation, args: Args, key: Word) -> Action:
@@ -265,7 +269,7 @@ def _topology(sim: Simulation, args: Args, name: str) -> Action:
         sim.console.both("  system init for set ...\n")
         initialise(sim)
         wrap_atoms(sim, Ghosts(sim))
-        selection.renew()
+        selection.renew(ghosts=True)
         found = entries(sim, kind)
         if (found.at(sim) < 0).any():
             raise ScriptError(f"{name.capitalize()} atom missing in set command")

@@ -12,4 +12,6 @@ def timestep(sim: Simulation, args: Args) -> None:
     """Set the size of a step in time units."""
     if len(args) != 1:
         args.illegal(args.owner)
-    sim.dt = args.number()
+    value = args.number()
+    sim.output.clock.book(sim.step, sim.dt)
+    sim.dt = value

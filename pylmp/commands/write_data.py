@@ -37,6 +37,8 @@ def write_data(sim: Simulation, args: Args) -> None:
 
     sim.console.both("System init for write_data ...\n")
     initialise(sim)
+    for listed in sim.bond_lists:
+        listed.copy_back(sim)
     wrap_atoms(sim)
     if sim.atoms.n != sim.natoms and sim.output.thermo.lost == "error":
         args.fail(

@@ -144,7 +144,7 @@ class Run:
             for hook in hooks(sim.fixes, "setup_pre_force"):
                 hook(sim)
         else:
-            if self.breaks.cleared < len(self.breaks.pairs):
+            if self.breaks.flagged:
                 self.breaks.clear_flags(sim, self.forces.neighbors, self.ghosts)
             self._call("pre_force")
             timers.stamp("Modify")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 # How a setting is stored: as a double, an int, an int that is 1 for yes, an int that is 0 for yes, the code of a mixing rule.
 MODIFIED = ("mix", "shift", "tail")  # settings that pair_modify changes
 NUMBER, INTEGER, FLAG, UNLESS, MIXING = "number", "integer", "flag", "unless", "mixing"
+Numbers = Sequence[float]
 
 
 @dataclass(frozen=True)
@@ -18,7 +21,7 @@ class Blob:
     kept       the coefficients are in the file; if not, a script must give them again
     alone      names of settings that stand there only for a style of its own: hybrid does not store them
     defaults   options that are not in the file, or not always
-    degrees    coefficients that a script gives in degrees and a file in radians
+    pack       a type's coefficients -> the numbers that are stored; unpack: back again
     name       the style's name in files, where that is another one
     """
 
@@ -27,10 +30,23 @@ class Blob:
     kept: bool = True
     alone: tuple[str, ...] = ()
     defaults: tuple[tuple[str, object], ...] = ()
-    degrees: tuple[str, ...] = ()
+    pack: Callable[[Numbers], Numbers] = tuple
+    unpack: Callable[[Numbers], Numbers] = tuple
     name: str = ""
 
     @property
     def in_hybrid(self) -> Blob:
         """What hybrid stores of it: settings, never coefficients."""
         return replace(self, settings=tuple(s for s in self.settings if s[0] not in self.alone), kept=False)
+
+
+def nearest(guess: float, wanted: float, function: Callable[[float], float]) -> float:
+    """The number next to guess of which function makes wanted, to the last bit; guess itself if there is none."""
+    for steps in range(4):
+        for toward in (-math.inf, math.inf):
+            value = guess
+            for _ in range(steps):
+                value = math.nextafter(value, toward)
+            if function(value) == wanted:
+                return value
+    return guess

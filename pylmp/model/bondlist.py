@@ -23,13 +23,14 @@ if TYPE_CHECKING:
 class Listing:
     """The bonds of some types, by rows: bonds (capacity, 3) int64, the two ends and the type (0: broken); history (capacity, memory).
 
-    mine (bond types + 1,) uint8: types listed here.
+    mine (bond types + 1,) uint8: types listed here. fresh: what bonds remember was not yet copied back to the slots.
     """
 
     def __init__(self, sim: Simulation, mine: NDArray[np.uint8]) -> None:
         self.mine = mine
         self.memory = sim.bond.memory
         self.count = 0
+        self.fresh = False
         self.bonds = np.zeros((64, 3), np.int64)
         self.history = np.zeros((64, self.memory))
         self._list = loops.bond_list(sim.newton_bond, self.memory)
@@ -53,6 +54,7 @@ class Listing:
                 self._complain(sim, int(loops.LOST - count), ghosts)
             self._grow(2 * len(self.bonds))
         self.count = int(count)
+        self.fresh = True
 
     def _grow(self, rows: int) -> None:
         self.bonds = np.zeros((rows, 3), np.int64)
@@ -69,7 +71,13 @@ class Listing:
                 )  # fmt: skip
 
     def copy_back(self, sim: Simulation) -> None:
-        """What bonds remember, from the list to the slots of their owned ends."""
+        """What bonds remember, from the list to the slots of their owned ends; once only, as in LAMMPS, until the list is built anew.
+
+        So a restart file written during a run costs what happens to the bonds from then to the next rebuild.
+        """
+        if not self.fresh:
+            return
+        self.fresh = False
         atoms = sim.atoms
         if self.memory and self.count:
             kernel(self._back).bind(
@@ -129,12 +137,12 @@ class BondList(Listing):
 
 
 class Breaks:
-    """Pairs whose bond broke and that must become ordinary neighbors: in the current neighbor list on the next step, in
-    the special lists at the next rebuild."""
+    """Pairs whose bond broke and that must become ordinary neighbors: flagged, in the current neighbor list on the next step, which
+    may be one of the next run; pairs, in the special lists at the next rebuild or when the run ends."""
 
     def __init__(self) -> None:
         self.pairs: list[tuple[int, int]] = []
-        self.cleared = 0
+        self.flagged: list[tuple[int, int]] = []
 
     def record(self, sim: Simulation, listed: BondList, count: int) -> None:
         """Bookkeeping for the first count entries of listed.broken, in order."""
@@ -155,6 +163,7 @@ class Breaks:
                     part.recorder.record(sim, i, j)
                 if part.updates_special:
                     self.pairs.append((int(atoms.tag[i]), int(atoms.tag[j])))
+                    self.flagged.append(self.pairs[-1])
             for row, partner in ends:
                 used = int(atoms.num_bond[row])
                 slots = (atoms.bond_atom[row, :used] == partner) & (atoms.bond_type[row, :used] > 0)
@@ -164,7 +173,7 @@ class Breaks:
     def clear_flags(self, sim: Simulation, neighbors: NeighborList | None, ghosts: Ghosts) -> None:
         """Pairs broken on the step before act from now on."""
         if neighbors is not None:
-            for pair in self.pairs[self.cleared :]:
+            for pair in self.flagged:
                 for tag, other in (pair, pair[::-1]):
                     row = int(ghosts.first[tag]) if tag < len(ghosts.first) else -1
                     if 0 <= row < sim.atoms.n:
@@ -172,7 +181,7 @@ class Breaks:
                         plain = entries & INDEX_MASK
                         found = sim.atoms.tag[plain] == other
                         entries[found] = plain[found]
-        self.cleared = len(self.pairs)
+        self.flagged.clear()
 
     def edit_special(self, sim: Simulation) -> None:
         """Take all recorded pairs out of the special lists."""
@@ -191,4 +200,3 @@ class Breaks:
                         atoms.special[row, k : used - 1] = atoms.special[row, k + 1 : used]
                         atoms.num_special[row] = near - 1
         self.pairs.clear()
-        self.cleared = 0

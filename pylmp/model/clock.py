@@ -4,7 +4,11 @@ from __future__ import annotations
 
 
 class Clock:
-    """LAMMPS's rule: time = (time booked last) + (steps since) * dt; where the step number was set back, time restarts at 0."""
+    """LAMMPS's rule: time = (time booked last) + (steps since) * dt; where the step number was set back, time restarts at 0.
+
+    It is booked when a run ends and when the step number or dt changes. What a restart file of the middle of a run did not book is
+    lost when the next run begins.
+    """
 
     def __init__(self) -> None:
         self._time = 0.0
@@ -20,10 +24,14 @@ class Clock:
         return self._time + (step - self._step) * dt if step >= self._step else 0.0
 
     def book(self, step: int, dt: float) -> None:
-        """Remember the time at step: at the start and end of every run, between which dt does not change."""
+        """Remember the time at step."""
         self._time = self.now(step, dt)
         self._step = step
 
+    def begin(self, step: int) -> None:
+        """A run begins at step."""
+        self._step = step
+
     def set(self, step: int, time: float) -> None:
-        """reset_timestep's keyword time."""
+        """What a restart file, or reset_timestep's keyword time, says."""
         self._step, self._time = step, time

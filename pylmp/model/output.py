@@ -71,7 +71,7 @@ class Output:
         """A run from step first to step last begins; its set-up, if there is one, comes next."""
         self.first, self.last, self.running = first, last, True
         self._with_setup = setup
-        self.clock.book(first, self._sim.dt)
+        self.clock.begin(first)
 
     def end(self) -> None:
         """The run is over."""

@@ -11,7 +11,7 @@ from pylmp.io.restart.decode import decode
 from pylmp.io.restart.encode import encode
 from pylmp.io.restart.layout import MAGIC
 from tests.restart.both import Pair, differences
-from tests.restart.scenes import SCENES
+from tests.restart.scenes import BPM, NET, NVE, PLASTIC, SCENES, setup
 
 STEPS = 40
 DECKS = Path(__file__).parents[1] / "decks" / "command"
@@ -20,23 +20,23 @@ DECKS = Path(__file__).parents[1] / "decks" / "command"
 @pytest.mark.parametrize("name", SCENES)
 def test_same_bytes_and_same_future(name: str, tmp_path: Path) -> None:
     """A file of a run's middle, one of its end, and one of the end of a run continued from LAMMPS's file."""
-    setup, again = SCENES[name]
+    begin, again = SCENES[name]
     both = Pair(tmp_path)
     run = f"run {STEPS} post no\n"
-    both.run(f"{setup}{again}{run}write_restart middle\n{run}write_restart end\n")
+    both.run(f"{begin}{again}{run}write_restart middle\n{run}write_restart end\n")
     for file in ("middle", "end"):
         assert differences(*both.files(file)) == []
     shutil.copy(both.lammps / "middle", both.pylmp / "middle")
-    newton = next((line for line in setup.splitlines() if line.startswith("newton")), "")
+    newton = next((line for line in begin.splitlines() if line.startswith("newton")), "")
     both.run(f"{newton}\nread_restart middle\n{again}{run}write_restart again\n")
     assert differences(*both.files("again")) == []
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_content_to_bytes_is_the_inverse(name: str, tmp_path: Path) -> None:
-    setup, again = SCENES[name]
+    begin, again = SCENES[name]
     both = Pair(tmp_path)
-    both.run(f"{setup}{again}run 5 post no\nwrite_restart one\nwrite_restart set.%\n")
+    both.run(f"{begin}{again}run 5 post no\nwrite_restart one\nwrite_restart set.%\n")
     data = (both.lammps / "one").read_bytes()
     assert encode(decode(data, "one")) == [data]
     base, piece = ((both.lammps / f"set.{part}").read_bytes() for part in ("base", "0"))
@@ -53,3 +53,27 @@ def test_files_of_a_run(tmp_path: Path) -> None:
     for name in names:
         first, second = both.files(name)
         assert first == second, name
+
+
+SEQUENCES = {
+    "files of the run": "restart 7 file\nrun 40\nwrite_restart file.end noinit\nrun 20\nwrite_restart file.last",
+    "few rebuilds": "neigh_modify every 50 delay 50\nrestart 7 file\nrun 40\nrestart 0\nrun 20\nwrite_restart file.last noinit",
+    "one after the other": "run 40\nwrite_restart file.1 noinit\nwrite_restart file.2\nwrite_restart file.3\nrun 20\nwrite_restart file.4",
+    "a data file first": "run 40\nwrite_data data\nwrite_restart file.1\nrun 20\nwrite_restart file.2 noinit",
+    "bonds counted first": "run 40\ndelete_bonds all stats\nwrite_restart file.1\nrun 20\nwrite_restart file.2",
+    "runs without set-up": "run 40\nrun 20 pre no\nwrite_restart file.1 noinit\nrun 20 pre no\nwrite_restart file.2 noinit\nrun 20\nwrite_restart file.3",
+    "atoms changed": "run 40\nvelocity all create 1 123 loop geom\nset atom 5 type 1\nwrite_restart file.1 noinit\nrun 20 pre no\nwrite_restart file.2",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SEQUENCES)
+@pytest.mark.parametrize("walls", ["p p p", "p s m"])
+def test_what_bonds_remember(name: str, walls: str, tmp_path: Path) -> None:
+    """When LAMMPS copies it from its list to the atoms, and when it forgets to: files and trajectories show both."""
+    both = Pair(tmp_path)
+    rest = NET + BPM + PLASTIC.format(words="")
+    both.run(f"{setup(rest, newton='on off', boundary=walls, heat=2.0)}{NVE}{SEQUENCES[name]}\n")
+    names = sorted(path.name for path in both.lammps.glob("file.*"))
+    assert len(names) > 1
+    for file in names:
+        assert differences(*both.files(file)) == [], file

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -94,7 +93,7 @@ def _pair(sim: Simulation) -> Force:
     force = _part(part, part.settings, blob)
     for types, (coeffs, cut) in part.given.items() if blob.kept else ():
         named = dict(zip((c.name for c in part.style.coeffs), coeffs, strict=True), cut=cut)
-        force.pairs[types] = [named[name] for name in blob.coeffs]
+        force.pairs[types] = list(blob.pack([named[name] for name in blob.coeffs]))
     return force
 
 
@@ -107,7 +106,8 @@ def _bond(sim: Simulation) -> Force:
     force = _part(part, part, blob)
     if blob.kept:
         at = [c.name for c in part.style.coeffs]
-        force.columns = [part.table[1:, at.index(name)].tolist() if name in at else [0.0] * bond.types for name in blob.coeffs]
+        columns = [part.table[1:, at.index(name)].tolist() if name in at else [0.0] * bond.types for name in blob.coeffs]
+        force.columns = _packed(blob, columns)
     return force
 
 
@@ -115,11 +115,11 @@ def _many_body(force: ManyBody) -> Force:
     blob = _blob(force.style, force.kind.name)
     rows = [force.given.get(kind, (0.0,) * len(blob.coeffs)) for kind in range(1, force.types + 1)]
     columns = [[row[k] if row else 0.0 for row in rows] for k in range(len(blob.coeffs))]
-    return Force(force.name, columns=[_in_radians(column, name in blob.degrees) for name, column in zip(blob.coeffs, columns, strict=True)])
+    return Force(force.name, columns=_packed(blob, columns))
 
 
-def _in_radians(column: list[float], degrees: bool) -> list[float]:
-    return [value / 180.0 * math.pi for value in column] if degrees else column
+def _packed(blob: Blob, columns: list[list[float]]) -> list[list[float]]:
+    return [list(column) for column in zip(*(blob.pack(row) for row in zip(*columns, strict=True)), strict=True)]
 
 
 def _blob(style: Any, kind: str) -> Blob:

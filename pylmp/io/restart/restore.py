@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -127,7 +126,7 @@ def _pair(sim: Simulation, force: Force, _: Kind | None) -> None:
         part.number = same.index(part) + 1 if len(same) > 1 else 0
     sim.pair = Pair(force.style, parts, sim.atom_types)
     for types, numbers in force.pairs.items():
-        named = dict(zip(blob.coeffs, numbers, strict=True))
+        named = dict(zip(blob.coeffs, blob.unpack(numbers), strict=True))
         part.given[types] = tuple(named[c.name] for c in style.coeffs), named["cut"]
         sim.pair.acting[types] = [part]
 
@@ -139,8 +138,11 @@ def _bond(sim: Simulation, force: Force, _: Kind | None) -> None:
         blob = style.restart.in_hybrid if force.parts else style.restart
         part = BondPart(style, _options(each, blob), sim.bond_types)
         part.waits = bool(part.memory)
-        for name, column in zip(blob.coeffs if blob.kept else (), each.columns, strict=True):
-            part.table[1:, [c.name for c in style.coeffs].index(name)] = column
+        at = [c.name for c in style.coeffs]
+        for kind, row in enumerate(zip(*each.columns, strict=True), 1):
+            for name, value in zip(blob.coeffs, blob.unpack(row), strict=True):
+                if name in at:
+                    part.table[kind, at.index(name)] = value
         parts.append(part)
     sim.bond = Bond(force.style, parts, sim.bond_types)
     if blob.kept:
@@ -152,23 +154,9 @@ def _many_body(sim: Simulation, force: Force, kind: Kind | None) -> None:
     assert kind is not None
     style: Any = REGISTRIES[kind.name].find(force.style)
     made = ManyBody(kind, style, True, kind.types(sim))
-    names = style.restart.coeffs
-    columns = [_in_degrees(column, name in style.restart.degrees) for name, column in zip(names, force.columns, strict=True)]
     for number in range(made.types):
-        made.given[number + 1] = tuple(column[number] for column in columns)
+        made.given[number + 1] = tuple(style.restart.unpack([column[number] for column in force.columns])) if force.columns else ()
     setattr(sim, kind.name, made)
-
-
-def _in_degrees(column: list[float], degrees: bool) -> list[float]:
-    """Those degrees, with the fewest digits, of which LAMMPS makes these radians."""
-    if not degrees:
-        return column
-    found = []
-    for radians in column:
-        value = radians / math.pi * 180.0
-        short = float(f"{value:.12g}")
-        found.append(short if short / 180.0 * math.pi == radians else value)
-    return found
 
 
 def _atoms(sim: Simulation, content: Content) -> None:
