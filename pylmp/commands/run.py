@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pylmp.io.run_log import footer, loop_time
+from pylmp.model.checks import warn_motionless
 from pylmp.model.engine import RunPlan
 from pylmp.model.registry import command
 from pylmp.model.scene import state
@@ -59,8 +60,7 @@ def _segment(sim: Simulation, plan: RunPlan, post: bool) -> None:
     sim.output.begin(sim.step, sim.step + plan.steps, plan.setup)
     try:
         if plan.setup:
-            if not any(fix.integrates for fix in sim.fixes):
-                sim.console.warning("No fixes with time integration, atoms won't move")
+            warn_motionless(sim)
             sim.init()
         sim.report = sim.engine.run(sim, state(sim), plan)
         sim.ran = True

@@ -139,8 +139,8 @@ class Bond:
             return []
         return [(kind, tuple(part.table[kind].tolist())) for kind in range(1, self.types + 1)]
 
-    def reach(self) -> float:
-        """LAMMPS's estimate of the longest bond, before the skin: 1.5 times the equilibrium length."""
+    def longest(self) -> float:
+        """The longest equilibrium length."""
         longest = 0.0
         for part in self.parts:
             if part.style.reference:
@@ -149,7 +149,7 @@ class Bond:
             else:
                 for kind in np.flatnonzero(part.mine):
                     longest = max(longest, part.style.length(tuple(part.table[kind]), part.options))
-        return longest * 1.5
+        return longest
 
 
 def _coefficients(args: Args, part: BondPart) -> tuple[float, ...]:

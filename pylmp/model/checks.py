@@ -25,6 +25,14 @@ def check_integration(sim: Simulation) -> None:
         )
 
 
+def warn_motionless(sim: Simulation) -> None:
+    """Warn when no fix moves atoms: what LAMMPS says first when a run begins."""
+    if not any(fix.integrates for fix in sim.fixes):
+        sim.console.warning(
+            "No fixes with time integration, atoms won't move\nFor more information see https://docs.lammps.org/err0028"
+        )
+
+
 def check_neighbor_settings(sim: Simulation) -> None:
     """Raise ScriptError where neigh_modify's numbers do not fit together."""
     settings = sim.neighbor

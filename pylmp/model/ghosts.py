@@ -21,10 +21,9 @@ def bond_reach(sim: Simulation) -> float:
     """LAMMPS's estimate of how far bonds reach, also of bonds to come; 0.0 without a bond style."""
     if sim.bond is None:
         return 0.0
-    reach = sim.bond.reach()
-    if sim.dihedral is not None or sim.improper is not None:
-        reach *= 1.5
-    return float(reach + sim.neighbor.skin)
+    bodies = 4 if sim.dihedral or sim.improper else 3 if sim.angle else 2
+    factors = {2: 1.5, 3: 1.5, 4: 2.25} if sim.newton_bond else {2: 1.5, 3: 2.25, 4: 3.125}
+    return float(sim.bond.longest() * factors[bodies] + sim.neighbor.skin)
 
 
 def ghost_cutoff(sim: Simulation, warn: bool = False, setup: bool = False) -> float:
