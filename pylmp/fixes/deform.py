@@ -15,7 +15,7 @@ from contextlib import nullcontext
 
 import numpy as np
 
-from pylmp.model.deformation import ALONG, Change, read_change, volume_shares
+from pylmp.model.deformation import ALONG, Change, Start, pack, read_change, unpack, volume_shares
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
@@ -69,17 +69,17 @@ class Deform(Fix):
         self.changes_box = bool(self.changes)
         self.varies = any(change.names for change in self.changes.values())
         self.flipped: tuple[int, int, int] | None = None
-        self._keep_start(sim)
+        self.first = self.start = Start.of(sim.box)
+
+    # ---- restart files --------------------------------------------------------------------------------------
+
+    def state(self, sim: Simulation) -> bytes:
+        return pack(self.changes, self.shares, self.first)
+
+    def restore(self, sim: Simulation, state: bytes) -> None:
+        self.first = unpack(self.changes, self.shares, state)
 
     # ---- a run begins ---------------------------------------------------------------------------------------
-
-    def _keep_start(self, sim: Simulation) -> None:
-        """The box that rates, volumes and ramps refer to."""
-        box = sim.box
-        self.start = {k: (float(box.lo[k]), float(box.hi[k])) for k in range(3)}
-        self.start_tilt = box.h[3:].tolist()
-        a, b, c = (float(length) for length in box.length)
-        self.volume = a * b * c
 
     def init(self, sim: Simulation) -> None:
         """Where everything is at the end of this run."""
@@ -87,22 +87,22 @@ class Deform(Fix):
             raise ScriptError("More than one fix deform", hint="one fix deform takes several directions")
         for change in self.changes.values():
             change.check(sim)
-        if sim.step == sim.begin:  # else an earlier part of the same ramp, from where the box was when the fix was defined
-            self._keep_start(sim)
+        # A later part of a ramp starts where the box was when the fix was defined.
+        self.start = Start.of(sim.box) if sim.step == sim.begin else self.first
         time = (sim.end - sim.begin) * sim.dt
         for k, change in sorted(self.changes.items()):
             if k < 3:
-                change.plan_faces(*self.start[k], time)
+                change.plan_faces(*self.start.faces[k], time)
             else:
-                a, b = self.start[ALONG[k][1]]
-                change.plan_tilt(self.start_tilt[k - 3], b - a, time)
+                a, b = self.start.faces[ALONG[k][1]]
+                change.plan_tilt(self.start.tilt[k - 3], b - a, time)
         self._check_yz()
         box = sim.box
         if self.remap == "v":
             box.rate_group = self.bit
         box.rate[:] = 0.0
         for k, change in self.changes.items():
-            box.rate[k] = change.rate_at_start(self.start[k] if k < 3 else (self.start_tilt[k - 3],), time)
+            box.rate[k] = change.rate_at_start(self.start.faces[k] if k < 3 else (self.start.tilt[k - 3],), time)
 
     def _check_yz(self) -> None:
         """A yz flip would move xz by xy, which changes too."""
@@ -111,7 +111,7 @@ class Deform(Fix):
         if self.changes[3].style == "variable":
             raise ScriptError("Fix deform cannot use yz variable with xy", hint="flip no")
         least, most = self.changes[3].extremes
-        lengths = [hi - lo for lo, hi in (self.start[1], self.changes[1].stop if 1 in self.changes else self.start[1])]
+        lengths = [hi - lo for lo, hi in (self.start.faces[1], *([self.changes[1].stop] if 1 in self.changes else []))]
         if any(least < -SKEW * length or most > SKEW * length for length in lengths):
             raise ScriptError("Fix deform is changing yz too much with xy", hint="flip no, or yz within half a box length")
 
@@ -147,18 +147,18 @@ class Deform(Fix):
         lo, hi, tilt = box.lo.tolist(), box.hi.tolist(), box.h[3:].tolist()
         for k, change in sorted(self.changes.items()):
             if k > 2:
-                tilt[k - 3] = change.tilt(sim, self.start_tilt[k - 3], part, elapsed)
+                tilt[k - 3] = change.tilt(sim, self.start.tilt[k - 3], part, elapsed)
             elif change.style != "volume":
-                lo[k], hi[k] = change.faces(sim, *self.start[k], part, elapsed)
+                lo[k], hi[k] = change.faces(sim, *self.start.faces[k], part, elapsed)
             box.rate[k] = change.rate(sim, float(box.h[k]), elapsed, float(box.rate[k]))
         for k, share in self.shares.items():
-            a, b = self.start[k]
-            leader, (c, d) = hi[share.leader] - lo[share.leader], self.start[share.other]
+            a, b = self.start.faces[k]
+            leader, (c, d) = hi[share.leader] - lo[share.leader], self.start.faces[share.other]
             other = hi[share.other] - lo[share.other] if share.role == "leads" else d - c
             if share.role == "follows":
-                shift = _HALF * math.sqrt(self.volume * (b - a) / leader / other)
+                shift = _HALF * math.sqrt(self.start.volume * (b - a) / leader / other)
             else:
-                shift = _HALF * (self.volume / leader / other)
+                shift = _HALF * (self.start.volume / leader / other)
             lo[k], hi[k] = _HALF * (a + b) - shift, _HALF * (a + b) + shift
             box.rate[k] = (2.0 * shift / box.h[k] - 1.0) / sim.dt  # of a length LAMMPS takes the strain rate here (measured)
         return lo, hi, tilt

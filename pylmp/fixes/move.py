@@ -13,6 +13,7 @@ per_atom: x0. Source: LAMMPS manual, fix_move.html; order of operations as measu
 from __future__ import annotations
 
 import math
+import struct
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -237,6 +238,18 @@ class Move(Fix):
 
     def per_atom(self, sim: Simulation) -> Floats:
         return np.asarray(sim.atoms.extra[self._name][: sim.atoms.n], float)
+
+    def state(self, sim: Simulation) -> bytes:
+        return struct.pack("<d", self.began)
+
+    def restore(self, sim: Simulation, state: bytes) -> None:
+        self.began = int(struct.unpack("<d", state)[0])
+
+    def atom_state(self, sim: Simulation) -> Floats:
+        return self.per_atom(sim)
+
+    def restore_atoms(self, sim: Simulation, values: Floats) -> None:
+        sim.atoms.extra[self._name][: sim.atoms.n] = values
 
     # ---- every step -------------------------------------------------------------------------------------------
 

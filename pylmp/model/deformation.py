@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import struct
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
 if TYPE_CHECKING:
+    from pylmp.model.box import Box
     from pylmp.model.simulation import Simulation
 
 _FACES = {"final": 2, "delta": 2, "scale": 1, "vel": 1, "erate": 1, "trate": 1, "volume": 0, "wiggle": 2, "variable": 2}
@@ -19,6 +21,22 @@ _LENGTHS = {"final": 2, "delta": 2, "vel": 1, "wiggle": 1}  # how many of the nu
 _TURN = 2.0 * math.pi
 ALONG = (0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)  # of x y z yz xz xy: where a tilt points, and the length it grows with
 Pair = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Start:
+    """The box that rates, volumes and ramps refer to: (lo, hi) three times; yz xz xy."""
+
+    faces: tuple[Pair, Pair, Pair]
+    tilt: tuple[float, float, float]
+    volume: float
+
+    @classmethod
+    def of(cls, box: Box) -> Start:
+        x, y, z = zip(box.lo.tolist(), box.hi.tolist(), strict=True)
+        yz, xz, xy = box.h[3:].tolist()
+        a, b, c = (float(length) for length in box.length)
+        return cls((x, y, z), (yz, xz, xy), a * b * c)
 
 
 @dataclass
@@ -196,3 +214,39 @@ def volume_shares(args: Args, changes: dict[int, Change]) -> dict[int, Share]:
             other = b if leading[0] == a else a
             result[k] = Share(leading[0], other, "follows" if styles[other] == "volume" else "fixed")
     return result
+
+
+# ---- restart files: six records of LAMMPS's; only what it reads back is filled in
+
+_RECORD = struct.Struct("<ii28d40x")  # style, how it shares the volume, numbers
+_STYLES = "", "final", "delta", "scale", "vel", "erate", "trate", "volume", "wiggle", "variable"
+_SHARES = "fixed", "leads", "follows"
+_LO, _TILTED, _VOLUME = 11, 19, 26  # places among the numbers: lo and hi, tilt, volume
+
+
+def pack(changes: dict[int, Change], shares: dict[int, Share], start: Start) -> bytes:
+    result = b""
+    for k in range(6):
+        numbers = [0.0] * 28
+        if k < 3:
+            numbers[_LO], numbers[_LO + 1] = start.faces[k]
+            numbers[_VOLUME] = start.volume
+        else:
+            numbers[_TILTED] = start.tilt[k - 3]
+        share = _SHARES.index(shares[k].role) if k in shares else 0
+        result += _RECORD.pack(_STYLES.index(changes[k].style if k in changes else ""), share, *numbers)
+    return result
+
+
+def unpack(changes: dict[int, Change], shares: dict[int, Share], state: bytes) -> Start:
+    """Raises ScriptError if the records are of other parameters."""
+    if len(state) != 6 * _RECORD.size:
+        raise ScriptError("Fix deform settings not consistent with restart", hint="another fix deform")
+    records = list(_RECORD.iter_unpack(state))
+    for k, (style, share, *_) in enumerate(records):
+        mine = _STYLES.index(changes[k].style if k in changes else "")
+        if (style, share) != (mine, _SHARES.index(shares[k].role) if k in shares else 0):
+            raise ScriptError("Fix deform settings not consistent with restart", hint="the parameters of the run that wrote it")
+    x, y, z = ((record[2 + _LO], record[3 + _LO]) for record in records[:3])
+    yz, xz, xy = (record[2 + _TILTED] for record in records[3:])
+    return Start((x, y, z), (yz, xz, xy), records[0][2 + _VOLUME])

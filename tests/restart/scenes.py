@@ -81,6 +81,9 @@ SCENES: dict[str, tuple[str, str]] = {
     ),
     "pair settings": (setup("pair_modify mix arithmetic tail yes shift no", style="atomic"), NVE),
     "a heat bath": (setup(style="atomic"), NVE + "fix 2 all langevin 1.0 1.0 0.5 4711\n"),
+    "a path": (
+        setup("group a id 1:60", style="atomic"), "group b subtract all a\nfix 1 b nve\nfix 2 a move wiggle 0.2 NULL 0.1 0.5\n",
+    ),
     "groups, a map": (
         setup("group a id 1:20\ngroup b type 2\ngroup c id 5 6 7\ngroup b delete\n", "atomic", before="atom_modify map hash"), "fix 1 a nve\n",
     ),
