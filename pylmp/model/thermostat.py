@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pylmp.model.atoms import Floats
 from pylmp.model.fix import Fix
 from pylmp.model.quantity import Quantity
 from pylmp.model.registry import COMPUTES
@@ -31,11 +32,13 @@ class Thermostat(Fix):
     temperature   ID of the compute it reads, "" if it needs none
     own           it made that compute
     unknown       what LAMMPS says when fix_modify names no compute
+    per_atom      the target may be an atom-style variable
     """
 
     couples = True
     temperature = ""
     own = False
+    per_atom = False
     unknown = "Could not find fix_modify temperature compute {}"
     start: Quantity
     stop: float
@@ -49,6 +52,10 @@ class Thermostat(Fix):
         sim.computes[self.temperature] = kind(sim, self.temperature, group, bit, Args("compute temp", []))
 
     def removed(self, sim: Simulation) -> None:
+        self._release(sim)
+
+    def _release(self, sim: Simulation) -> None:
+        """The compute it made goes."""
         if self.own:
             sim.computes.pop(self.temperature, None)
 
@@ -57,7 +64,7 @@ class Thermostat(Fix):
         if key.text != "temp":
             return super().modify(sim, args, key)
         word = args.word()
-        self.removed(sim)
+        self._release(sim)
         self.own = False
         self.temperature = word.text
         found: Any = sim.computes.get(word.text)
@@ -70,7 +77,7 @@ class Thermostat(Fix):
         return True
 
     def init(self, sim: Simulation) -> None:
-        self.start.check(sim, f"fix {self.style}", missing="Variable name {} for {} does not exist")
+        self.start.check(sim, f"fix {self.style}", atoms=self.per_atom, missing="Variable name {} for {} does not exist")
         if self.temperature:
             self.compute(sim)
 
@@ -92,6 +99,14 @@ class Thermostat(Fix):
         if value < 0.0:
             raise ScriptError(negative, hint=f"v_{self.start.name} is {value:g}")
         return value
+
+    def thermal(self, sim: Simulation, rows: NDArray[np.bool_]) -> Floats:
+        """(k, 3) velocities of the chosen atoms without that drift. As in LAMMPS, taking it out and putting it back may cost v a bit."""
+        compute = self.compute(sim)
+        kept = compute.remove_bias(sim, rows)
+        hot = sim.atoms.v[: sim.atoms.n][rows]
+        compute.restore_bias(sim, rows, kept)
+        return hot
 
     def scale(self, sim: Simulation, rows: NDArray[np.bool_], factor: float) -> None:
         """Multiply the velocities of the chosen atoms, without those parts that the compute takes for a drift."""
