@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from pylmp.model.atoms import Floats
 from pylmp.model.region import Extent, Inside, Options, Region, Scale
+from pylmp.model.surface import Contact
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
@@ -71,3 +72,32 @@ class Compound(Region):
 
     def contains(self, x: Floats) -> Inside:
         return self.combine([part.match(x) for part in self.parts()])
+
+    # ---- its surface: what of the surfaces of its parts is not buried --------------------------------------------
+
+    def from_inside(self, x: Floats, cutoff: float) -> list[Contact]:
+        return self._exposed(x, cutoff, self.style == "intersect")
+
+    def from_outside(self, x: Floats, cutoff: float) -> list[Contact]:
+        """As in LAMMPS, which for a union asks the wrong way round: only what is buried of the surfaces of its parts touches."""
+        parts = self.parts()
+        for part in parts:
+            part.options.outside = not part.options.outside
+        try:
+            return self._exposed(x, cutoff, False)
+        finally:
+            for part in parts:
+                part.options.outside = not part.options.outside
+
+    def _exposed(self, x: Floats, cutoff: float, everywhere: bool) -> list[Contact]:
+        """Contacts with the surfaces of the parts, where the point touched belongs to all others (everywhere) or to none."""
+        found = []
+        parts = self.parts()
+        for part in parts:
+            for contact in part.surface(x, cutoff):
+                for other in parts:
+                    if other is part or (other.options.opened and not everywhere):
+                        continue
+                    contact.near = contact.near & (other.match(x - contact.away) == everywhere)
+                found.append(contact)
+        return found

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
 from pylmp.model.quantity import Quantity
+from pylmp.model.surface import Contact
 from pylmp.model.transform import Motion
-from pylmp.text.diagnostic import ScriptError
+from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args
 
 if TYPE_CHECKING:
@@ -129,6 +130,21 @@ class Region:
         """(n,) bool for (n, 3) positions: within the shape."""
         raise NotImplementedError
 
+    def from_inside(self, x: Floats, cutoff: float) -> list[Contact]:
+        """Contacts of points (n, 3) inside the shape with its faces, in LAMMPS's order; none for points outside."""
+        raise self.no_surface()
+
+    def from_outside(self, x: Floats, cutoff: float) -> list[Contact]:
+        """The same for points outside, none for points inside."""
+        raise self.no_surface()
+
+    def no_surface(self, what: str = "") -> Unsupported:
+        return Unsupported(f"LAMMPS has walls of region style {what or self.style}, pylmp's native engines do not")
+
+    def open_face(self, number: int) -> bool:
+        """Face number (from 1) is no wall."""
+        return number in self.options.opened
+
     # ---- what the rest of the program uses ----------------------------------------------------------------------
 
     def init(self) -> None:
@@ -153,6 +169,19 @@ class Region:
             x = self.options.motion.undo(x)
         inside = self.contains(x)
         return ~inside if self.options.outside else inside
+
+    def surface(self, x: Floats, cutoff: float) -> list[Contact]:
+        """Contacts of points (n, 3) that are nearer to the surface than cutoff; after update."""
+        motion = self.options.motion
+        points = motion.undo(x) if motion else x
+        if self.options.opened:
+            contacts = self.from_outside(points, cutoff) + self.from_inside(points, cutoff)
+        else:
+            contacts = (self.from_outside if self.options.outside else self.from_inside)(points, cutoff)
+        if motion and motion.rotates:
+            for contact in contacts:
+                contact.away = x - motion.redo(points - contact.away)
+        return contacts
 
     def inside(self, x: Floats) -> Inside:
         """update, then match."""

@@ -115,3 +115,11 @@ class Motion:
         if self.rotates:
             x = rotated(x, self.point, self.axis, -self.angle)
         return x
+
+    def redo(self, x: Floats) -> Floats:
+        """Where points x of the region at rest are now."""
+        if self.rotates:
+            x = rotated(x, self.point, self.axis, self.angle)
+        if self.moves:
+            x = x + np.array(self.shift)
+        return x

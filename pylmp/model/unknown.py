@@ -26,7 +26,7 @@ ELSEWHERE = {
     "oneway planeforce poems pour press/berendsen property/atom python/invoke qeq/point rattle restrain rigid "
     "rigid/small rigid/nve rigid/nvt setforce/spin shake shardlow spring/chunk spring/rg srd store/force "
     "temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
-    "wall/region wall/srd widom",
+    "wall/srd widom",
     "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom chunk/atom chunk/spread/atom cluster/atom "
     "cna/atom com/chunk contact/atom coord/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
     "event/displace fragment/atom gyration/chunk group/group heat/flux hexorder/atom improper/local inertia/chunk  "

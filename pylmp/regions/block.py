@@ -8,6 +8,7 @@ from pylmp.model.atoms import Floats
 from pylmp.model.region import Inside, Options, Region, Scale
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
+from pylmp.model.surface import Contact, along_axis, closest, on_rectangle, to_point
 from pylmp.text.number import shortest
 from pylmp.text.words import Args
 
@@ -45,3 +46,25 @@ class Block(Region):
 
     def contains(self, x: Floats) -> Inside:
         return np.asarray(((x >= self.low) & (x <= self.high)).all(axis=1))
+
+    def from_inside(self, x: Floats, cutoff: float) -> list[Contact]:
+        inside = self.contains(x)
+        contacts = []
+        for face in range(6):
+            axis, high = face // 2, face % 2 == 1
+            if self.open_face(face + 1):
+                continue
+            distance = self.high[axis] - x[:, axis] if high else x[:, axis] - self.low[axis]
+            contacts.append(along_axis(distance, inside & (distance < cutoff), axis, high))
+        return contacts
+
+    def from_outside(self, x: Floats, cutoff: float) -> list[Contact]:
+        far = np.asarray(((x <= self.low - cutoff) | (x >= self.high + cutoff)).any(axis=1))
+        inside = np.asarray(((x > self.low) & (x < self.high)).all(axis=1))
+        nearest: Floats = np.clip(x, self.low, self.high)
+        if self.options.opened:
+            faces = [on_rectangle(x, self.low, self.high, face) for face in range(6) if not self.open_face(face + 1)]
+            if not faces:
+                raise self.no_surface("block without faces")
+            nearest = closest(x, faces, first=True)
+        return [to_point(x, nearest, ~far & ~inside, cutoff)]

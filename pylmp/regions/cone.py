@@ -12,6 +12,7 @@ from pylmp.model.quantity import Quantity
 from pylmp.model.region import Inside, Options, Region, Scale, around_axis
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
+from pylmp.model.surface import Contact, along_axis, closest, on_segment, to_point, within
 from pylmp.text.words import Args
 
 
@@ -65,3 +66,49 @@ class Cone(Region):
         lower, upper = self.radii
         radius = lower + (along - self.low) * (upper - lower) / (self.high - self.low)
         return np.asarray((np.sqrt(a * a + b * b) <= radius) & (along >= self.low) & (along <= self.high))
+
+    def from_inside(self, x: Floats, cutoff: float) -> list[Contact]:
+        r, rims = self._rims(x)
+        along = x[:, self.axis]
+        lower, upper = self.radii
+        radius = lower + (along - self.low) * (upper - lower) / (self.high - self.low)
+        inside = (r <= radius) & within(x, self.axis, self.low, self.high)
+        contacts = []
+        if not self.open_face(3):
+            curved = to_point(x, on_segment(x, *rims), inside & (r > 0.0), cutoff)
+            curved.near &= curved.distance > 0.0
+            contacts.append(curved)
+        for face, gap in ((1, along - self.low), (2, self.high - along)):
+            if not self.open_face(face):
+                contacts.append(along_axis(gap, inside & (gap < cutoff), self.axis, face == 2))
+        return contacts
+
+    def from_outside(self, x: Floats, cutoff: float) -> list[Contact]:
+        r, rims = self._rims(x)
+        along = x[:, self.axis]
+        lower, upper = self.radii
+        radius = lower + (along - self.low) * (upper - lower) / (self.high - self.low)
+        far = (r >= max(self.radii) + cutoff) | (along <= self.low - cutoff) | (along >= self.high + cutoff)
+        inside = (r < radius) & (along > self.low) & (along < self.high)
+        faces = [] if self.open_face(3) else [on_segment(x, *rims)]
+        for face, (rim, end) in enumerate(zip(rims, (self.low, self.high), strict=True), 1):
+            if not self.open_face(face):
+                middle = np.empty_like(x)
+                middle[:, self.across] = self.center
+                middle[:, self.axis] = end
+                faces.append(on_segment(x, rim, middle))
+        return [to_point(x, closest(x, faces), ~far & ~inside, cutoff)] if faces else []
+
+    def _rims(self, x: Floats) -> tuple[Floats, list[Floats]]:
+        """Distance from the axis, and the points of both rims in the direction of each x."""
+        u, v = (x[:, k] - c for k, c in zip(self.across, self.center, strict=True))
+        r = np.sqrt(u * u + v * v)
+        rims = []
+        for radius, end in zip(self.radii, (self.low, self.high), strict=True):
+            rim = np.empty_like(x)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                for k, d, c in zip(self.across, (u, v), self.center, strict=True):
+                    rim[:, k] = c + d * radius / r
+            rim[:, self.axis] = end
+            rims.append(rim)
+        return r, rims

@@ -10,6 +10,7 @@ from pylmp.model.atoms import Floats
 from pylmp.model.region import Inside, Options, Region, Scale
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
+from pylmp.model.surface import Contact
 from pylmp.text.number import shortest
 from pylmp.text.words import Args
 
@@ -46,3 +47,15 @@ class Plane(Region):
     def contains(self, x: Floats) -> Inside:
         a, b, c = ((x[:, d] - self.point[d]) * self.normal[d] for d in range(3))
         return np.asarray(a + b + c >= 0.0)
+
+    def from_inside(self, x: Floats, cutoff: float) -> list[Contact]:
+        return self._touch(x, cutoff, 1.0)
+
+    def from_outside(self, x: Floats, cutoff: float) -> list[Contact]:
+        return self._touch(x, cutoff, -1.0)
+
+    def _touch(self, x: Floats, cutoff: float, side: float) -> list[Contact]:
+        a, b, c = ((x[:, d] - self.point[d]) * self.normal[d] for d in range(3))
+        distance = side * (a + b + c)
+        away = (side * distance)[:, None] * np.array(self.normal)
+        return [Contact((distance < cutoff) & (distance >= 0.0), distance, away)]

@@ -6,13 +6,16 @@ may be INF or EDGE, bounds and tilts equal-style variables. Source: LAMMPS manua
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from pylmp.model.atoms import Floats
 from pylmp.model.quantity import Quantity
-from pylmp.model.region import BIG, Inside, Options, Region, Scale
+from pylmp.model.region import BIG, Corner, Inside, Options, Region, Scale
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
+from pylmp.model.surface import Contact
 from pylmp.text.number import shortest
 from pylmp.text.words import Args
 
@@ -80,3 +83,33 @@ class Prism(Region):
         b = yy * d[:, 1] + yz * d[:, 2]
         c = zz * d[:, 2]
         return np.asarray((a >= 0.0) & (a <= 1.0) & (b >= 0.0) & (b <= 1.0) & (c >= 0.0) & (c <= 1.0))
+
+    def from_inside(self, x: Floats, cutoff: float) -> list[Contact]:
+        inside = self.contains(x)
+        contacts = []
+        for face, normal in enumerate(self._normals()):
+            a, b, c = ((x[:, d] - (self.corner if face % 2 else self.low)[d]) * normal[d] for d in range(3))
+            distance = a + b + c
+            contacts.append(Contact(inside & (distance < cutoff), distance, distance[:, None] * np.array(normal)))
+        return contacts
+
+    @property
+    def corner(self) -> Floats:
+        """The corner that is farthest from low."""
+        a, b, c = self._edges()
+        return np.asarray(self.low + np.array(a) + np.array(b) + np.array(c))
+
+    def _edges(self) -> tuple[Corner, Corner, Corner]:
+        lx, ly, lz = (self.high - self.low).tolist()
+        xy, xz, yz = self.tilt
+        return (lx, 0.0, 0.0), (xy, ly, 0.0), (xz, yz, lz)
+
+    def _normals(self) -> list[Corner]:
+        """Inward unit normals of the six faces, those across the third of the vectors a b c first."""
+        a, b, c = self._edges()
+        normals = []
+        for u, v in ((a, b), (c, a), (b, c)):
+            n = u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+            inverse = 1.0 / math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
+            normals.append((n[0] * inverse, n[1] * inverse, n[2] * inverse))
+        return [(s * n[0], s * n[1], s * n[2]) for n in normals for s in (1.0, -1.0)]

@@ -8,6 +8,7 @@ from pylmp.model.atoms import Floats
 from pylmp.model.region import Inside, Options, Region, Scale
 from pylmp.model.registry import REGIONS
 from pylmp.model.simulation import Simulation
+from pylmp.model.surface import Contact, radial
 from pylmp.text.number import shortest
 from pylmp.text.words import Args
 
@@ -40,3 +41,17 @@ class Sphere(Region):
     def contains(self, x: Floats) -> Inside:
         a, b, c = (x[:, d] - self.center[d] for d in range(3))
         return np.asarray(np.sqrt(a * a + b * b + c * c) <= self.radius)
+
+    def from_inside(self, x: Floats, cutoff: float) -> list[Contact]:
+        d, r = self._away(x)
+        distance = self.radius - r
+        return [radial(d, r, self.radius, (r <= self.radius) & (r != 0.0) & (distance < cutoff), distance)]
+
+    def from_outside(self, x: Floats, cutoff: float) -> list[Contact]:
+        d, r = self._away(x)
+        distance = r - self.radius
+        return [radial(d, r, self.radius, (r >= self.radius) & (distance < cutoff), distance)]
+
+    def _away(self, x: Floats) -> tuple[Floats, Floats]:
+        d = x - np.array(self.center)
+        return d, np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2])
