@@ -197,7 +197,7 @@ class Interpreter:
 ELSEWHERE = frozenset(
     {
         "angle_write", "balance", "bond_write", "change_box", "comm_style",
-        "delete_atoms", "dielectric", "dihedral_write", "dump2vtk",
+        "dielectric", "dihedral_write", "dump2vtk",
         "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
         "kspace_modify", "kspace_style", "mdi", "molecule", "neb",
         "ndx2group", "package", "pair_write", "partition", "plugin", "prd", "processors", "python", "read_dump",

@@ -8,13 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from pylmp.io.neighbor_info import Request
-from pylmp.io.ready import initialise, wrap_atoms
-from pylmp.kernels.exact import INDEX_MASK
-from pylmp.kernels.exact.neighbor import FULL
-from pylmp.kernels.store import prepare
+from pylmp.io.ready import full_list, initialise
 from pylmp.model.atoms import Ints
-from pylmp.model.ghosts import Ghosts
-from pylmp.model.neighbor import NeighborList
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
@@ -83,14 +78,7 @@ def _many(sim: Simulation, args: Args) -> None:
 def _pairs(sim: Simulation, bits: list[int], low: float, high: float) -> tuple[Ints, Ints]:
     """Rows of the atoms that store a new bond, and its other ends, in the order of LAMMPS's full neighbor list."""
     atoms = sim.atoms
-    ghosts, neighbors = Ghosts(sim), NeighborList(sim, FULL)
-    prepare([*ghosts.functions(), *neighbors.functions()], sim.console.screen)
-    cutoff = wrap_atoms(sim, ghosts)
-    neighbors.build(sim, cutoff)
-    rows = np.repeat(np.arange(atoms.n), np.diff(neighbors.first))
-    others = (neighbors.neighbors[: neighbors.count] & INDEX_MASK).astype(np.int64)
-    d = atoms.x[rows] - atoms.x[others]
-    r2 = d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]
+    rows, others, r2 = full_list(sim)
     first, second = ((atoms.mask & bit) != 0 for bit in bits)
     take = (first[rows] & second[others]) | (first[others] & second[rows])
     take &= (r2 >= low * low) & (r2 <= high * high)

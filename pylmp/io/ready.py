@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from pylmp.io.neighbor_info import Request, announce
+from pylmp.kernels.exact import INDEX_MASK
+from pylmp.kernels.exact.neighbor import FULL
 from pylmp.kernels.store import prepare
+from pylmp.model.atoms import Floats, Ints
 from pylmp.model.ghosts import Ghosts, ghost_cutoff
 from pylmp.model.lost import remove_lost
+from pylmp.model.neighbor import NeighborList
 from pylmp.model.simulation import Simulation
 
 
@@ -14,6 +20,22 @@ def initialise(sim: Simulation, *requests: Request) -> None:
     sim.init()
     if sim.pair is not None:
         announce(sim, (*requests, Request(f"pair {sim.pair.name}")))
+
+
+def full_list(sim: Simulation) -> tuple[Ints, Ints, Floats]:
+    """Rows of each owned atom and of its neighbors, and their squared distances, in the order of LAMMPS's full neighbor list.
+
+    Atoms are wrapped, ghosts are there afterwards.
+    """
+    atoms = sim.atoms
+    ghosts, neighbors = Ghosts(sim), NeighborList(sim, FULL)
+    prepare([*ghosts.functions(), *neighbors.functions()], sim.console.screen)
+    cutoff = wrap_atoms(sim, ghosts)
+    neighbors.build(sim, cutoff)
+    rows = np.repeat(np.arange(atoms.n), np.diff(neighbors.first))
+    others = (neighbors.neighbors[: neighbors.count] & INDEX_MASK).astype(np.int64)
+    d = atoms.x[rows] - atoms.x[others]
+    return rows, others, d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]
 
 
 def wrap_atoms(sim: Simulation, ghosts: Ghosts | None = None) -> float:

@@ -154,6 +154,18 @@ class Atoms:
             array[: len(order)] = array[order]
         self.n = len(order)
 
+    def drop(self, doomed: NDArray[np.bool_]) -> None:
+        """Remove the doomed (n,) owned atoms as LAMMPS does: the last atom moves into the hole, and is looked at in its turn."""
+        order = list(range(self.n))
+        i = 0
+        while i < len(order):
+            if doomed[order[i]]:
+                order[i] = order[-1]
+                order.pop()
+            else:
+                i += 1
+        self.keep(np.array(order, np.int64))
+
     def clear_ghosts(self) -> None:
         self.ghosts = 0
 

@@ -26,18 +26,9 @@ def remove_lost(sim: Simulation) -> None:
     lo, hi = sim.box.frame
     for d in range(3):
         x = atoms.x[: atoms.n, d]
-        if not ((x < lo[d]) | (x >= hi[d])).any():
-            continue
-        order = list(range(atoms.n))
-        i = 0
-        while i < len(order):
-            c = float(atoms.x[order[i], d])
-            if c < lo[d] or c >= hi[d]:
-                order[i] = order[-1]
-                order.pop()
-            else:
-                i += 1
-        atoms.keep(np.array(order, np.int64))
+        outside = (x < lo[d]) | (x >= hi[d])
+        if outside.any():
+            atoms.drop(outside)
 
 
 def check_lost_partner(sim: Simulation, lost: bool, sentence: str) -> None:
