@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
@@ -45,17 +45,24 @@ class DumpCustom(Dump):
         if found is None or "*" in name:
             hint = " ".join(ATTRIBUTES)
             args.fail(f"Invalid attribute {name} in dump custom command", word, hint=hint)
-        if found.kind == "v":
-            self._refuse_variable(sim, args, word, found)
         self.sources.append(found)
-        return Field(name, _per_atom(sim, args, word, found))
+        return Field(name, self._variable(sim, args, word, found) if found.kind == "v" else _per_atom(sim, args, word, found))
 
-    @staticmethod
-    def _refuse_variable(sim: Simulation, args: Args, word: Word, found: Reference) -> NoReturn:
+    def _variable(self, sim: Simulation, args: Args, word: Word, found: Reference) -> Callable[..., Any]:
+        """An atom-style variable, evaluated for the atoms of the dump's group."""
         style = Variables(sim).style(found.name)
         if style is None:
             args.fail(f"Could not find dump custom variable name {found.name}", word)
-        args.fail(f"Dump custom variable {found.name} is not atom-style variable", word)
+        if style not in ("atom", "atomfile") or found.index:
+            args.fail(f"Dump custom variable {found.name} is not atom-style variable", word, hint=f"variable {found.name} atom ...")
+
+        def values(sim: Simulation, rows: Ints, known: dict[Any, Any]) -> Any:
+            members = np.flatnonzero((sim.atoms.mask[: sim.atoms.n] & self.bit) != 0)
+            everybody = np.zeros(sim.atoms.n)
+            everybody[members] = Variables(sim).per_atom(found.name, members)
+            return everybody[rows]
+
+        return values
 
     @property
     def measures(self) -> bool:
@@ -67,6 +74,10 @@ class DumpCustom(Dump):
 
     def check(self, sim: Simulation) -> None:
         for found in self.sources:
+            if found.kind == "v":
+                if Variables(sim).style(found.name) not in ("atom", "atomfile"):
+                    raise ScriptError(f"Could not find dump custom variable name {found.name}")
+                continue
             source = found.source(sim)
             if source is None:
                 raise ScriptError(f"Could not find dump custom {found.what} ID {found.name}")

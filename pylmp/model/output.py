@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from pylmp.model.clock import Clock
 from pylmp.model.registry import COMPUTES, THERMOS
+from pylmp.model.variables import EQUAL_STYLES, Variables
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
 if TYPE_CHECKING:
@@ -35,6 +37,7 @@ class Output:
 
     dumps       by ID in order of definition (pylmp/dumps)
     every       thermo's interval; 0: first and last step of a run only
+    variable    name of the variable that gives the step of the next thermo line instead, "" for none
     first last  steps between which the run in progress goes
     running     a run is in progress
     started     wall clock and processor seconds when its loop began
@@ -43,6 +46,7 @@ class Output:
     def __init__(self, sim: Simulation) -> None:
         self.dumps: dict[str, Any] = {}
         self.every = 0
+        self.variable = ""
         self.first = self.last = 0
         self.running = False
         self.started = (0.0, 0.0)
@@ -84,34 +88,40 @@ class Output:
 
     def init(self, sim: Simulation) -> None:
         """Check everything that will be written, open files."""
+        if self.variable:
+            style = Variables(sim).style(self.variable)
+            if style is None:
+                raise ScriptError("Variable name for thermo every does not exist", hint=f"variable {self.variable} equal ...")
+            if style not in EQUAL_STYLES:
+                raise ScriptError("Variable for thermo every is invalid style", hint="an equal-style variable")
         self.thermo.init()
         for dump in self.dumps.values():
             dump.init(sim)
 
     def setup(self, sim: Simulation) -> None:
-        """Write what is due before the first step of a run: dump frames, header, first thermo line."""
+        """Write what is due before the first step of a run: header, first thermo line, dump frames."""
+        sim.asking.block()
+        self.thermo.begin(memory=self._with_setup)
+        self._schedule_thermo(sim)
         for dump in self.dumps.values():
             dump.setup(sim)
         if self.restarts is not None:
             self.restarts.setup(sim)
-        sim.asking.block()
-        self.thermo.begin(memory=self._with_setup)
-        self._schedule_thermo(sim)
         self._find_due()
         sim.console.flush()
         self.started = (time.perf_counter(), time.process_time())
 
     def write(self, sim: Simulation) -> None:
-        """Write what is due at sim.step: dump frames, then the thermo line."""
+        """Write what is due at sim.step: the thermo line, then dump frames."""
+        if sim.step == self._thermo_due:
+            sim.asking.block()
+            self.thermo.line()
+            self._schedule_thermo(sim)
         for dump in self.dumps.values():
             if dump.due == sim.step:
                 dump.write_due(sim)
         if self.restarts is not None and self.restarts.due == sim.step:
             self.restarts.write(sim)
-        if sim.step == self._thermo_due:
-            sim.asking.block()
-            self.thermo.line()
-            self._schedule_thermo(sim)
         self._find_due()
 
     def write_all(self, sim: Simulation) -> None:
@@ -123,7 +133,14 @@ class Output:
 
     def _schedule_thermo(self, sim: Simulation) -> None:
         """When the next line is due; what this one evaluated is wanted again then."""
-        following = (sim.step // self.every + 1) * self.every if self.every else self.last
+        if self.variable:
+            given = Variables(sim).number(self.variable)
+            following = int(given) if abs(given) < 2.0**63 else -1
+            if following <= sim.step:
+                told = "" if sim.step == self.first else f": {following} vs {sim.step}"
+                raise ScriptError(f"Thermo every variable returned a bad timestep{told}", hint="a step to come")
+        else:
+            following = (sim.step // self.every + 1) * self.every if self.every else self.last
         self._thermo_due = min(following, self.last)
         sim.asking.again(self._thermo_due)
 

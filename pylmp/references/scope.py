@@ -33,7 +33,7 @@ class Scope:
     def __init__(self, sim: Simulation, variables: Variables) -> None:
         self.sim = sim
         self.variables = variables
-        self._streams: dict[bool, RanMars] = {}  # one of the atoms, one of all else
+        self._streams: dict[bool, RanMars] = {}  # one of equal-style formulas, one of the others
 
     # ---- variables --------------------------------------------------------------------------------------------
 
@@ -119,15 +119,15 @@ class Scope:
         return self.sim.atoms.n
 
     def random(self, seed: float, mode: str) -> RanMars:
-        """The stream of equal-style and vector-style formulas, or that of atom-style ones; the first seed begins it."""
-        stream = self._streams.get(mode == "atom")
+        """The stream of equal-style formulas, or that of vector-style and atom-style ones; the first seed begins it."""
+        stream = self._streams.get(mode == "equal")
         if stream is None:
             from pylmp.kernels.random import RanMars
 
             if not math.isfinite(seed) or int(seed) <= 0:
                 raise FormulaError(MATH, plain=mode != "equal")
             try:
-                stream = self._streams[mode == "atom"] = RanMars(int(seed))
+                stream = self._streams[mode == "equal"] = RanMars(int(seed))
             except ValueError as error:
                 raise ScriptError(str(error)) from None
         return stream

@@ -41,6 +41,7 @@ class Variable:
     number   timer, internal
     table    atomfile: (IDs, values) of the current set; sets: the further ones
     look     getenv: reads the environment
+    step, elements   vector: the step of its last evaluation, and what came out
     """
 
     style: str
@@ -53,6 +54,8 @@ class Variable:
     table: Any = None
     sets: Iterator[Any] = iter(())
     look: Callable[[], str] | None = None
+    step: int = -1
+    elements: Any = None
 
     def text(self) -> str:
         """The current value of the styles that are no formula."""

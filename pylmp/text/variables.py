@@ -159,13 +159,18 @@ class Variables:
         return values if isinstance(values, np.ndarray) else np.full(count, values)
 
     def vector(self, name: str, scope: Scope) -> Floats:
-        """(k,) float64: the elements of a vector-style variable. Raises ScriptError."""
-        text = self.known[name].values[0]
+        """(k,) float64: the elements of a vector-style variable. As in LAMMPS evaluated once a step. Raises ScriptError."""
+        variable, step = self.known[name], scope.clock().step
+        if variable.elements is not None and variable.step == step and len(variable.elements):
+            return variable.elements
+        text = variable.values[0]
         if text.startswith("["):
-            return _literal(text)
-        values = self._evaluate(name, lambda text: evaluate_columns(text, scope, "vector"))
+            values = _literal(text)
+        else:
+            values = self._evaluate(name, lambda text: evaluate_columns(text, scope, "vector"))
         if not isinstance(values, np.ndarray):
             raise ScriptError(f"Variable {name}: Vector-style variable has zero length", hint="it refers to no vector")
+        variable.step, variable.elements = step, values
         return values
 
     def _evaluate(self, name: str, how: Callable[[str], Value]) -> Value:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from pylmp.model.reference import Reference, length, offers, parse
+from pylmp.model.variables import EQUAL_STYLES
 from pylmp.text.words import Args, Word
 from pylmp.thermo.keywords import KEYWORDS
 
@@ -69,12 +70,22 @@ def _measured(thermo: Thermo, args: Args, word: Word, found: Reference) -> Calla
 
 
 def _variable(thermo: Thermo, args: Args, word: Word, found: Reference) -> Callable[[Thermo], float]:
-    """An equal-style variable; vector-style ones are not known here."""
-    style = thermo.variables.style(found.name)
+    """An equal-style variable, or an element of a vector-style one: 0 beyond its length, which may change."""
+    name, at = found.name, found.index
+    style = thermo.variables.style(name)
     if style is None:
-        args.fail(f"Could not find thermo custom variable name: {found.name}", word)
-    if not found.index and style != "equal":
-        args.fail(f"Thermo custom variable {found.name} is not an equal-style variable", word)
-    if found.index and style != "vector":
-        args.fail(f"Thermo custom variable {found.name} is not a vector-style variable", word)
-    return lambda t: t.variables.number(found.name)
+        args.fail(f"Could not find thermo custom variable name: {name}", word)
+    if len(at) > 1:
+        args.fail(f"Thermo custom variable {name} cannot have two indices", word)
+    if not at and style not in EQUAL_STYLES:
+        args.fail(f"Thermo custom variable {name} is not an equal-style variable", word)
+    if not at:
+        return lambda t: t.variables.number(name)
+    if style != "vector":
+        args.fail(f"Thermo custom variable {name} is not a vector-style variable", word)
+
+    def element(t: Thermo) -> float:
+        values = t.variables.vector(name)
+        return float(values[at[0] - 1]) if 0 < at[0] <= len(values) else 0.0
+
+    return element
