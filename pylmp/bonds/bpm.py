@@ -10,6 +10,7 @@ import re
 from typing import Any
 
 from pylmp.model.blob import FLAG, Blob
+from pylmp.model.many_body import has_many_body
 from pylmp.model.style import Options, Restriction
 from pylmp.text.words import Args, Word
 
@@ -133,6 +134,11 @@ RESTRICTIONS = (
         "B204", "With overlay/pair no and break yes, BPM bond styles requires special Coulomb weights = 1,1,1",
         lambda sim, options: _pairs_off(options) and sim.special.coul != ONES,
         "special_bonds lj 0 1 1 coul 1 1 1 (lj alone sets the Coulomb weights to 0)",
+    ),
+    Restriction(
+        "B205", "Bond style bpm cannot break with 3,4-body interactions",
+        lambda sim, options: bool(options["break"]) and has_many_body(sim),
+        "break no, or angle_style none, dihedral_style none, improper_style none",
     ),
     Restriction(
         "B206", "Bond bpm/spring requires ghost atoms store velocity", lambda sim, _: not sim.comm.velocity,

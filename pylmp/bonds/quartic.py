@@ -16,6 +16,7 @@ from typing import Any
 
 from pylmp.laws import select, sqrt
 from pylmp.model.blob import Blob
+from pylmp.model.many_body import has_many_body
 from pylmp.model.registry import BONDS
 from pylmp.model.style import BondStyle, Coeff, Law, Restriction, always
 
@@ -73,6 +74,10 @@ def no_single(sim: Any, _: Any) -> bool:
 
 RESTRICTIONS = (
     Restriction("B101", "Pair style does not support bond_style quartic", no_single, "pair_style lj/cut or zero before the run"),
+    Restriction(
+        "B102", "Bond style quartic cannot be used with 3,4-body interactions", lambda sim, _: has_many_body(sim),
+        "angle_style none, dihedral_style none, improper_style none",
+    ),
     Restriction(
         "B103", "Bond style quartic requires special_bonds = 1,1,1", lambda sim, _: sim.special.lj != (1.0, 1.0, 1.0),
         "special_bonds lj/coul 1 1 1",

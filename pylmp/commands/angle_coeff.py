@@ -22,4 +22,5 @@ def set_coefficients(sim: Simulation, args: Args, kind: Kind) -> None:
     if style is None:
         args.fail(f"{what.capitalize()}_coeff command before {what}_style is defined", args.owner, hint=f"{what}_style zero")
     args.need(1)
+    sim.labels.translate(args, what)
     style.coeff(args)

@@ -67,6 +67,7 @@ def _types(sim: Simulation, args: Args, style: Word) -> range:
         return range(0)
     if not len(args):
         args.illegal(style, hint=f"delete_bonds GROUP {style.text} TYPES")
+    sim.labels.translate(args, style.text)
     word = args.word()
     high = sim.atom_types if style.text == "atom" else KIND[style.text].types(sim)
     departs = re.fullmatch(r"0+|0*\*\d*|0+\*\d+", word.text)

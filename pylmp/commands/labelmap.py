@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pylmp.io.whole_file import write_whole
-from pylmp.model.labels import Labels, is_label
+from pylmp.model.labels import is_label
 from pylmp.model.paths import writable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
@@ -23,7 +23,7 @@ def labelmap(sim: Simulation, args: Args) -> None:
         if len(args) != (1 if what.text == "write" else 0):
             args.fail(f"Incorrect number of arguments for labelmap {what.text} command", what, hint=hint)
         if what.text == "clear":
-            sim.labels = Labels()
+            sim.labels.by_type.clear()
         else:
             _write(sim, args, args.word())
         return

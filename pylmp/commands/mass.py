@@ -13,6 +13,7 @@ def mass(sim: Simulation, args: Args) -> None:
     """Set the mass of a range of atom types."""
     args.expect(2, 2, "2 arguments")
     sim.labels.translate(args, "atom")
+    sim.labels.translate(args, "atom")
     kinds = args.types(sim.atom_types)
     value = args.number()
     if value <= 0.0:

@@ -20,7 +20,7 @@ class BondsOfAtom(Compute):
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
         if not sim.has_bonds:
-            args.fail("Compute nbond/atom cannot be used in a system without bonds", args.owner, hint="atom_style bond")
+            args.fail("Compute nbond/atom used in system without bonds", args.owner, hint="atom_style bond")
         self.kind = 0
         while len(args):
             key = args.word()

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from pylmp.dumps.attributes import ATTRIBUTES, NOT_ALLOCATED
+from pylmp.dumps.attributes import ATTRIBUTES, absent
 from pylmp.model.atoms import Floats
 from pylmp.model.compute import Compute
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args, Word
 
-_NOT_HERE = ("element", "procp1", "xsu", "ysu", "zsu", "mu")
-_NOT_ALLOCATED = (*NOT_ALLOCATED, "spx", "spy", "spz", "sp", "buckling")
+_NOT_HERE = ("element", "typelabel", "procp1", "xsu", "ysu", "zsu", "mu")
+_NOT_ALLOCATED = ("spx", "spy", "spz", "sp", "buckling", "nbonds")
 _SHAPES = {"corner": "tri", "end": "line"}
 
 
@@ -38,13 +38,13 @@ class PropertyAtom(Compute):
     def _check(sim: Simulation, args: Args, word: Word) -> None:
         name = word.text
         if name == "nbonds" and sim.has_bonds or (name in ATTRIBUTES and name not in _NOT_HERE):
-            if name != "mol" or sim.has_bonds:
+            if not absent(sim, name):
                 return
         if found := re.match(r"[id]2?_(\w+)", name):
             args.fail(f"Compute property/atom property {found[1]} does not exist", word)
         if found := re.fullmatch(r"(corner|end)\d[xyz]", name):
             args.fail(f"Compute property/atom {name} requires atom style {_SHAPES[found[1]]}", word)
-        if name in (*_NOT_ALLOCATED, "mol", "nbonds"):
+        if absent(sim, name) or name in _NOT_ALLOCATED:
             args.fail(f"Compute property/atom {name} is not available", word, hint=f"atom_style {sim.atom_style} has none")
         text = f"Invalid keyword {name} for atom style {sim.atom_style} in compute property/atom command "
         args.fail(text, word, hint=" ".join(ATTRIBUTES))

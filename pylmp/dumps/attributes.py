@@ -57,11 +57,18 @@ def _constant(value: int) -> Callable[..., Any]:
     return lambda sim, rows, known: np.full(len(rows), value)
 
 
+def _type_labels(sim: Simulation, rows: Ints, known: dict[Any, Any]) -> Any:
+    labels = sim.labels.of("atom")
+    return np.array([labels.get(number, "") for number in range(sim.atom_types + 1)], dtype=object)[sim.atoms.type[rows]]
+
+
 def _all() -> dict[str, Field]:
     fields = [
         Field("id", _array("tag"), WHOLE),
         Field("mol", _array("molecule"), WHOLE),
         Field("type", _array("type"), WHOLE),
+        Field("q", _array("q")),
+        Field("typelabel", _type_labels, NAME),
         Field("element", lambda sim, rows, known: known["elements"][sim.atoms.type[rows]], NAME),
         Field("mass", lambda sim, rows, known: sim.mass[sim.atoms.type[rows]], REAL),
         Field("proc", _constant(0), WHOLE),
@@ -84,6 +91,11 @@ ATTRIBUTES = _all()
 
 # Attributes of atom styles that pylmp does not have.
 NOT_ALLOCATED = (
-    "q", "mux", "muy", "muz", "mu", "radius", "diameter", "heatflow", "temperature", "omegax", "omegay", "omegaz",
+    "mux", "muy", "muz", "mu", "radius", "diameter", "heatflow", "temperature", "omegax", "omegay", "omegaz",
     "angmomx", "angmomy", "angmomz", "tqx", "tqy", "tqz",
 )  # fmt: skip
+
+
+def absent(sim: Simulation, name: str) -> bool:
+    """An attribute that the atom style does not have."""
+    return name in NOT_ALLOCATED or (name == "mol" and not sim.has_bonds) or (name == "q" and not sim.style.charged)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pylmp.dumps.attributes import ATTRIBUTES, NOT_ALLOCATED
+from pylmp.dumps.attributes import ATTRIBUTES, absent
 from pylmp.dumps.base import Dump
 from pylmp.dumps.frame import Field
 from pylmp.model.atoms import Ints
@@ -33,10 +33,12 @@ class DumpCustom(Dump):
 
     def _field(self, sim: Simulation, args: Args, word: Word) -> Field:
         name = word.text
-        if name in NOT_ALLOCATED or (name == "mol" and not sim.has_bonds):
+        if absent(sim, name):
             args.fail(
                 "Dumping an atom property that isn't allocated", word, hint=f"atom_style {sim.atom_style} has none"
             )
+        if name == "typelabel" and not sim.labels.of("atom"):
+            args.fail("Dump custom typelabel needs a label map", word, hint="labelmap atom 1 NAME ...")
         if name in ATTRIBUTES:
             return ATTRIBUTES[name]
         found = parse(name)

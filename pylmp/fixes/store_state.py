@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from pylmp.dumps.attributes import ATTRIBUTES, NOT_ALLOCATED
+from pylmp.dumps.attributes import ATTRIBUTES, absent
 from pylmp.model.atoms import Floats
 from pylmp.model.compute import current
 from pylmp.model.fix import Fix
@@ -23,7 +23,7 @@ from pylmp.model.variables import Variables
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
-_NOT_HERE = ("element", "proc", "procp1", "heatflow", "temperature")
+_NOT_HERE = ("element", "typelabel", "proc", "procp1", "heatflow", "temperature")
 
 
 @FIXES.register("store/state")
@@ -58,7 +58,7 @@ class StoreState(Fix):
     def _attribute(self, sim: Simulation, args: Args, word: Word) -> Callable[[Simulation], Any]:
         """What one word of the script stands for: sim -> (n,)."""
         name = word.text
-        if name in NOT_ALLOCATED and name not in _NOT_HERE or (name == "mol" and not sim.has_bonds):
+        if absent(sim, name) and name not in _NOT_HERE:
             args.fail(f"Cannot use fix store/state {name} for atom style {sim.atom_style}", word)
         if name == "xsu":  # of this one LAMMPS keeps all digits, other than of ysu and zsu
             return lambda sim: ATTRIBUTES["xs"].values(sim, np.arange(sim.atoms.n), {}) + sim.atoms.image[: sim.atoms.n, 0]

@@ -23,16 +23,14 @@ class Labels:
 
     def __init__(self) -> None:
         self.by_type: dict[str, dict[int, str]] = {}
-
-    @property
-    def in_use(self) -> bool:
-        return bool(self.by_type)
+        self.in_use = False
 
     def of(self, kind: str) -> dict[int, str]:
         return self.by_type.get(kind, {})
 
     def assign(self, kind: str, number: int, label: str) -> None:
         self.by_type.setdefault(kind, {})[number] = label
+        self.in_use = True
 
     def number(self, kind: str, label: str) -> int:
         """The type of a label, 0 if there is none."""

@@ -66,3 +66,8 @@ class ManyBody:
     def write_coeffs(self) -> list[tuple[int, tuple[float, ...]]]:
         """(type, coefficients) for a data file."""
         return [(kind, self.given[kind]) for kind in range(1, self.types + 1)]
+
+
+def has_many_body(sim: Simulation) -> bool:
+    """Some angle, dihedral or improper style is defined."""
+    return any(style is not None for style in (sim.angle, sim.dihedral, sim.improper))
