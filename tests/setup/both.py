@@ -21,8 +21,10 @@ from pylmp.engines.exact import Exact
 from pylmp.interpreter import Interpreter
 from pylmp.model.console import Console
 from pylmp.model.simulation import Simulation
+from pylmp.model.topology import KINDS, entries
 from pylmp.text.diagnostic import ScriptError
 
+SIZES = {"bonds": 2, "angles": 3, "dihedrals": 4, "impropers": 4}
 # Times, memory and their table differ from run to run.
 _TIMED = re.compile(r"Per MPI rank memory|Loop time of|Performance: |[\d.]+% CPU|\w+ *\| |Section \||-+$")
 
@@ -79,7 +81,23 @@ def _lammps_arrays(lmp: Any) -> dict[str, np.ndarray]:
     arrays["image"] = np.stack([(packed >> shift & 1023) - 512 for shift in (0, 10, 20)], axis=-1)
     mass = lmp.numpy.extract_atom("mass")
     arrays["mass"] = np.array(mass)[1:]
+    if lmp.extract_setting("molecule_flag"):
+        arrays["molecule"] = np.array(lmp.numpy.extract_atom("molecule"))[:n] if n else np.zeros(0)
+        for kind, size in SIZES.items():
+            arrays[kind] = _sorted(getattr(lmp.numpy, f"gather_{kind}")(), size)
+        counts = lmp.extract_atom("nspecial", 1)  # rows of whole numbers
+        arrays["num_special"] = np.array([counts[i][:3] for i in range(n)]).reshape(n, 3)
+    if lmp.extract_setting("q_flag"):
+        arrays["q"] = np.array(lmp.numpy.extract_atom("q"))[:n] if n else np.zeros(0)
     return arrays
+
+
+def _sorted(rows: Any, size: int) -> np.ndarray:
+    """Types (of those turned off too) and IDs of bonds, angles, ... in an order of their own; a bond's lower ID first."""
+    table = np.array(rows, np.int64).reshape(-1, size + 1)
+    if size == 2:
+        table[:, 1:].sort(axis=1)
+    return table[np.lexsort(table.T)]
 
 
 def on_pylmp(script: str, folder: Path) -> Made:
@@ -105,6 +123,13 @@ def on_pylmp(script: str, folder: Path) -> Made:
 def pylmp_arrays(sim: Simulation) -> dict[str, np.ndarray]:
     atoms, n = sim.atoms, sim.atoms.n
     arrays = {name: getattr(atoms, name)[:n] for name in ("x", "v", "type", "mask", "image")}
+    if sim.has_bonds:
+        arrays |= {"molecule": atoms.molecule[:n], "num_special": atoms.num_special[:n]}
+        for kind in KINDS:
+            found = entries(sim, kind).once(sim)
+            arrays[kind.plural] = _sorted(np.column_stack([np.abs(found.types), found.tags]), kind.size)
+    if sim.style.charged:
+        arrays["q"] = atoms.q[:n]
     box = {"lo": sim.box.lo, "hi": sim.box.hi, "dt": np.array(sim.dt), "step": np.array(sim.step)}
     return {**arrays, "id": atoms.tag[:n], "mass": sim.mass[1:], **box}
 
