@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from pylmp.model.linesearch import LineMinimizer
-from pylmp.model.minimize import MAX_EVALUATIONS, dot
+from pylmp.model.minimize import dot
 from pylmp.model.registry import MINIMIZERS
 
 
@@ -24,15 +24,7 @@ class ConjugateGradient(LineMinimizer):
         self.store("g")[:] = self.f
         self.gg = dot(self.f, self.f)
 
-    def iterate(self) -> str | None:
-        failed = self.search()
-        if failed:
-            return failed
-        if self.count >= self.plan.maxeval:
-            return MAX_EVALUATIONS
-        stop = self.converged()
-        if stop:
-            return stop
+    def turn(self) -> None:
         f, g, h = self.f, self.store("g"), self.store("h")
         ff, fg = dot(f, f), dot(f, g)
         beta = max(0.0, (ff - fg) / self.gg)
@@ -43,4 +35,3 @@ class ConjugateGradient(LineMinimizer):
         h[:] = g + beta * h
         if dot(g, h) <= 0.0:
             h[:] = g
-        return None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pylmp.model.linesearch import LineMinimizer
-from pylmp.model.minimize import MAX_EVALUATIONS
 from pylmp.model.registry import MINIMIZERS
 
 
@@ -11,13 +10,5 @@ from pylmp.model.registry import MINIMIZERS
 class SteepestDescent(LineMinimizer):
     style = "sd"
 
-    def iterate(self) -> str | None:
-        failed = self.search()
-        if failed:
-            return failed
-        if self.count >= self.plan.maxeval:
-            return MAX_EVALUATIONS
-        stop = self.converged()
-        if stop is None:
-            self.store("h")[:] = self.f
-        return stop
+    def turn(self) -> None:
+        self.store("h")[:] = self.f

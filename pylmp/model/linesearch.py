@@ -16,6 +16,7 @@ from pylmp.model.minimize import (
     ENERGY_TOLERANCE,
     FACTORS_ARE_ZERO,
     FORCES_ARE_ZERO,
+    MAX_EVALUATIONS,
     NOT_DOWNHILL,
     Minimizer,
     dot,
@@ -34,7 +35,10 @@ _SHORTEST = 1.0e-14
 
 
 class LineMinimizer(Minimizer):
-    """A minimizer that searches along directions. h and the start of a search ride along with the atoms when they are sorted."""
+    """A minimizer that searches along directions; a style defines turn.
+
+    h, the direction, and the start of a search ride along with the atoms when they are sorted.
+    """
 
     def begin(self) -> None:
         for name in ("h", "start"):
@@ -44,6 +48,21 @@ class LineMinimizer(Minimizer):
     def end(self) -> None:
         for name in [key for key in self.sim.atoms.extra if key.startswith(_key(""))]:
             del self.sim.atoms.extra[name]
+
+    def turn(self) -> None:
+        """Choose the next direction."""
+        raise NotImplementedError
+
+    def iterate(self) -> str | None:
+        failed = self.search()
+        if failed:
+            return failed
+        if self.count >= self.plan.maxeval:
+            return MAX_EVALUATIONS
+        stop = self.converged()
+        if stop is None:
+            self.turn()
+        return stop
 
     def store(self, name: str) -> Floats:
         """(n, 3) a vector of the search, in the atoms' order."""
