@@ -161,7 +161,7 @@ class Langevin(Thermostat):
             heat = ramp(sim, self.start.value, self.stop)
             return math.sqrt(heat) if heat >= 0.0 else math.nan
         with self.reading(sim, sim.step + 1):
-            value = self.start.numbers(sim)
+            value = self.start.numbers(sim, self.members(sim))
         checked = value[self.members(sim)] if isinstance(value, np.ndarray) else np.array([value])
         if (checked < 0.0).any():
             raise ScriptError(_NEGATIVE, hint=f"v_{self.start.name} is below zero")

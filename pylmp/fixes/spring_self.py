@@ -56,7 +56,7 @@ class SpringSelf(Fix):
 
     def _stiffness(self, sim: Simulation, rows: NDArray[np.bool_]) -> Floats | float:
         """K, or (k,) K of each chosen atom. LAMMPS does not have computes evaluated anew for it."""
-        k = self.stiffness.numbers(sim)
+        k = self.stiffness.numbers(sim, rows)
         return k[rows] if isinstance(k, np.ndarray) else k
 
     def post_force(self, sim: Simulation) -> None:

@@ -16,6 +16,7 @@ from pylmp.model.atoms import Floats
 from pylmp.model.compute import current
 from pylmp.model.fix import Fix
 from pylmp.model.motion import center_of_mass
+from pylmp.model.quantity import Quantity
 from pylmp.model.reference import Reference, parse
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
@@ -53,7 +54,8 @@ class StoreState(Fix):
         self.columns = len(self.values)
         self._key = f"fix store/state {identity}"
         sim.atoms.extra[self._key] = np.zeros((sim.atoms.capacity, self.columns))
-        self._store(sim)
+        self._store(sim, lambda name: name[:2] not in ("c_", "f_", "v_"))
+        self._first = True
 
     def _attribute(self, sim: Simulation, args: Args, word: Word) -> Callable[[Simulation], Any]:
         """What one word of the script stands for: sim -> (n,)."""
@@ -76,7 +78,7 @@ class StoreState(Fix):
                 args.fail(f"Variable name {found.name} for fix store/state does not exist", word)
             if style not in ("atom", "atomfile"):
                 args.fail(f"Fix store/state variable {found.name} is not atom-style variable", word)
-            return lambda sim: Variables(sim).per_atom(found.name)
+            return lambda sim: Quantity(name=found.name, per_atom=True).numbers(sim, self.members(sim))
         return self._measured(sim, args, word, found)
 
     @staticmethod
@@ -110,20 +112,29 @@ class StoreState(Fix):
                 name = "Variable name" if found.kind == "v" else f"{found.what.capitalize()} ID"
                 raise ScriptError(f"{name} {found.name} for fix store/state does not exist", hint="it was deleted")
 
+    def setup(self, sim: Simulation) -> None:
+        """What is measured was not there yet when the fix was defined."""
+        if self._first:
+            self._first = False
+            sim.asking.block()
+            self._store(sim, lambda name: name[:2] in ("c_", "f_", "v_"))
+
     def end_of_step(self, sim: Simulation) -> None:
         if self.interval:
-            self._store(sim)
+            with self.reading(sim, sim.step + self.every):
+                self._store(sim)
 
-    def _store(self, sim: Simulation) -> None:
+    def _store(self, sim: Simulation, wanted: Callable[[str], bool] = lambda name: True) -> None:
         rows = self.members(sim)
         kept = sim.atoms.extra[self._key][: sim.atoms.n]
         kept[~rows] = 0.0
         shift = center_of_mass(sim, rows) if self.relative else np.zeros(3)
-        with self.reading(sim, sim.step + self.every):
-            for k, (name, values) in enumerate(zip(self.names, self.values, strict=True)):
-                kept[rows, k] = np.asarray(values(sim))[rows]
-                if name in ("xu", "yu", "zu"):
-                    kept[rows, k] -= shift["xyz".index(name[0])]
+        for k, (name, values) in enumerate(zip(self.names, self.values, strict=True)):
+            if not wanted(name):
+                continue
+            kept[rows, k] = np.asarray(values(sim))[rows]
+            if name in ("xu", "yu", "zu"):
+                kept[rows, k] -= shift["xyz".index(name[0])]
 
     def per_atom(self, sim: Simulation) -> Floats:
         """(n,) with one attribute, else (n, attributes)."""

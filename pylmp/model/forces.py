@@ -70,6 +70,7 @@ class ForceFix(Fix):
         """fx fy fz, and others, now: a number each, or (k,) numbers for the k chosen rows; 0.0 where absent."""
         if not self.varies:
             return [quantity.value for quantity in (*self.force, *others)]
+        group = super().members(sim)
         with self.reading(sim, sim.step + 1):
-            found = [0.0 if quantity.absent else quantity.numbers(sim) for quantity in (*self.force, *others)]
+            found = [0.0 if quantity.absent else quantity.numbers(sim, group) for quantity in (*self.force, *others)]
         return [value[rows] if isinstance(value, np.ndarray) else value for value in found]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats
 from pylmp.model.variables import EQUAL_STYLES, Variables
@@ -65,8 +66,15 @@ class Quantity:
         """Its value now, of one number."""
         return self.scale * Variables(sim).number(self.name) if self.name else self.value
 
-    def numbers(self, sim: Simulation) -> Floats | float:
-        """Its value now: (n,) for each owned atom if the variable is atom-style, else one number."""
+    def numbers(self, sim: Simulation, group: NDArray[np.bool_] | None = None) -> Floats | float:
+        """Its value now: (n,) for each owned atom if the variable is atom-style, else one number.
+
+        group: (n,) the atoms it is evaluated for; 0 for the others.
+        """
+        if self.per_atom and group is not None:
+            values = np.zeros(sim.atoms.n)
+            values[group] = self.scale * Variables(sim).per_atom(self.name, np.flatnonzero(group))
+            return values
         if self.per_atom:
             return np.asarray(self.scale * Variables(sim).per_atom(self.name))
         return self.number(sim)

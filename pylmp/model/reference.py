@@ -66,6 +66,9 @@ def expand(sim: Simulation, args: Args, words: Sequence[Word], values: str) -> l
     result = []
     for word in words:
         found = parse(word.text)
+        if found and found.kind == "v" and "*" in word.text and values == "vector":
+            result += _expand_variable(sim, args, word, found)
+            continue
         source = found.source(sim) if found and "*" in word.text and found.kind in "cf" else None
         size = length(sim, source, values) if source is not None and offers(source, values) else 0
         if found is None or size == 0:
@@ -74,3 +77,16 @@ def expand(sim: Simulation, args: Args, words: Sequence[Word], values: str) -> l
         for k in args.as_range(Word(found.brackets[-1], word.span), 1, size):
             result.append(Word(f"{word.text[: word.text.index('[')]}[{k}]", word.span))
     return result
+
+
+def _expand_variable(sim: Simulation, args: Args, word: Word, found: Reference) -> list[Word]:
+    """The same for a vector-style variable, whose length nobody knows beforehand."""
+    script = sim.script
+    known = script.variables.known.get(found.name) if script is not None else None
+    if known is None or known.style != "vector":
+        return [word]
+    bounds = re.fullmatch(r"(\d*)\*(\d*)", found.brackets[-1])
+    if bounds is None or not bounds[2]:
+        args.fail(f"Upper bound required to expand vector style variable {found.name}", word, hint=f"v_{found.name}[*5]")
+    stem = word.text[: word.text.index("[")]
+    return [Word(f"{stem}[{k}]", word.span) for k in args.as_range(Word(found.brackets[-1], word.span), 1, int(bounds[2]))]
