@@ -87,8 +87,9 @@ class Run:
         sim = self.sim
         if sim.pair is not None:
             announce(sim, (Request(f"pair {sim.pair.name}"),))
-        elif sim.sort.every:
+        elif sim.sort.every and not sim.sort.bin_size:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
+            sim.sort.every = 0  # for good: a pair style that comes later does not bring it back
         self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
         sim.console.screen(title)
         ghost_cutoff(sim, warn=True, setup=True)
@@ -188,7 +189,7 @@ class Run:
         sim.box.wrap(atoms)
         sim.box.shrink(atoms)
         remove_lost(sim)
-        if sim.sort.every and sim.neighbor_cutoff > 0.0:
+        if sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0):
             if setup:
                 self.sorter.lay_out(sim)
             if setup or sim.step >= self.sorter.next:

@@ -22,7 +22,7 @@ def instrument(lines: list[str]) -> list[str]:
         words = line.split("#")[0].split()
         if not going_on:
             if words[:1] == ["atom_style"] and len(words) > 1:
-                stores_bonds = words[1] in ("bond", "molecular")
+                stores_bonds = words[1] in ("bond", "angle", "molecular", "full")
             elif words[:1] == ["clear"]:
                 bonds, stores_bonds = "", False
             elif words[:1] == ["bond_style"] and len(words) > 1:
