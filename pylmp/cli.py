@@ -35,12 +35,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from pylmp.tools.diff import main as diff
 
         return _guarded(diff, words[1:])
+    if words[:1] == ["restart"]:
+        return _restart(words[1:])
     if words[:1] == ["run"]:
         words = words[1:]
     try:
         options = _parser().parse_args(words)
     except SystemExit as leave:
         return int(leave.code or 0)
+    if options.restart2info:
+        return _restart(["info", options.restart2info[0]])
+    if options.restart2data:
+        flags = [f"--{word}" if word == "nocoeff" else word for word in options.restart2data[2:]]
+        return _restart(["to-data", *options.restart2data[:2], *flags])
     _script_after_var(options)
     if options.script is None and options.input is None and sys.stdin.isatty():
         _parser().print_help()
@@ -49,6 +56,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("pylmp: error: -var takes a name and at least one value", file=sys.stderr)
         return USAGE
     return Session(options).run()
+
+
+def _restart(words: list[str]) -> int:
+    from pylmp.tools.restart import main as restart
+
+    return _guarded(restart, words)
 
 
 def _guarded(tool: Callable[[list[str]], int], words: list[str]) -> int:
@@ -67,7 +80,8 @@ def _guarded(tool: Callable[[list[str]], int], words: list[str]) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="pylmp", allow_abbrev=False,
-        description="Run a LAMMPS input script. `pylmp diff SCRIPT` compares a run with real LAMMPS.",
+        description="Run a LAMMPS input script. `pylmp diff SCRIPT` compares a run with real LAMMPS; "
+        "`pylmp restart info|to-data FILE` looks into a restart file.",
         epilog="Switches are those of lmp. Put the script first: -var takes all words up to the next switch.",
     )  # fmt: skip
     add = parser.add_argument
@@ -87,6 +101,8 @@ def _parser() -> argparse.ArgumentParser:
         help="accepted, without effect: styles have one implementation here",
     )
     add("-package", "-pk", nargs="+", metavar="WORD", help="accepted, without effect")
+    add("-restart2data", "-r2data", nargs="+", metavar="FILE", help="RESTART DATA [nocoeff]: pylmp restart to-data")
+    add("-restart2info", "-r2info", nargs="+", metavar="FILE", help="RESTART: pylmp restart info")
     add("--strict", action="store_true", help="accept exactly what LAMMPS 22 Jul 2025 accepts")
     add("--engine", default="auto", choices=ENGINES, help="who carries out the runs")
     add(

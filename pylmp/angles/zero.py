@@ -31,7 +31,7 @@ def read(args: Args, types: int) -> tuple[range, tuple[float, ...]]:
 
 
 def radians(values: Sequence[float]) -> tuple[float]:
-    return (values[0] / 180.0 * math.pi,)
+    return (values[0] * (math.pi / 180.0),)
 
 
 def degrees(values: Sequence[float]) -> tuple[float]:

@@ -1,4 +1,4 @@
-"""write_data FILE [nocoeff] [nofix] [nolabelmap] [pair ii|ij] [types numeric|labels]"""
+"""write_data FILE [nocoeff] [nofix] [nolabelmap] [noinit] [pair ii|ij] [types numeric|labels]"""
 
 from __future__ import annotations
 
@@ -17,13 +17,15 @@ from pylmp.text.words import Args, Word
 def write_data(sim: Simulation, args: Args) -> None:
     """Write atoms, velocities, bonds, angles, ..., masses and coefficients; * in the name becomes the step."""
     name = args.word()
-    contents = Contents()
+    contents, ready = Contents(), False
     while len(args):
         key = args.word()
         if key.text == "nocoeff":
             contents.coeffs = False
         elif key.text == "nofix":
             pass  # no fix here adds a section
+        elif key.text == "noinit":
+            ready = True
         elif key.text == "nolabelmap":
             contents.labels = False
         elif key.text == "pair":
@@ -35,17 +37,18 @@ def write_data(sim: Simulation, args: Args) -> None:
         else:
             args.fail(f"Unknown write_data keyword: {key.text}", key, hint="nocoeff nofix nolabelmap pair types")
 
-    sim.console.both("System init for write_data ...\n")
-    initialise(sim)
-    for listed in sim.bond_lists:
-        listed.copy_back(sim)
-    wrap_atoms(sim)
+    if not ready:
+        sim.console.both("System init for write_data ...\n")
+        initialise(sim)
+        for listed in sim.bond_lists:
+            listed.copy_back(sim)
+        wrap_atoms(sim)
     if sim.atoms.n != sim.natoms and sim.output.thermo.lost == "error":
         args.fail(
             "Atom count is inconsistent, cannot write data file", args.owner,
             hint=f"{sim.natoms - sim.atoms.n} atoms were lost: they are outside the box",
         )  # fmt: skip
-    if contents.coeffs and not contents.pairs:
+    if contents.coeffs and not contents.pairs and (not ready or sim.ran):
         warn_unmixed(sim)
     writable(sim, name)
     path = Path(name.text.replace("*", str(sim.step), 1))

@@ -31,6 +31,9 @@ def gather(sim: Simulation, files: int = 0) -> Content:
     content.header = _header(sim)
     content.groups = {name: bit.bit_length() - 1 for name, bit in sim.groups.names.items()}
     content.mass = [float(mass) for mass in sim.mass[1:]]
+    if sim.labels.in_use:
+        kinds = (("atom", sim.atom_types), *((kind.name, kind.types(sim)) for kind in KINDS))
+        content.labels = [sim.labels.of(kind).get(number, "") for kind, types in kinds for number in range(1, types + 1)]
     if sim.pair is not None:
         content.forces["pair"] = _pair(sim)
     if sim.bond is not None:

@@ -38,6 +38,11 @@ def restore(sim: Simulation, content: Content) -> None:
     sim.define_types(*(content.header[f"{kind} types"] for kind in ("atom", *layout.KINDS)))
     sim.mass[1:] = content.mass
     sim.groups.names = {name: 1 << slot for name, slot in content.groups.items()}
+    labels = iter(content.labels or ())
+    for kind in ("atom", *layout.KINDS):
+        for number in range(1, content.header[f"{kind} types"] + 1):
+            if label := next(labels, ""):
+                sim.labels.assign(kind, number, label)
     for kind, force in content.forces.items():
         sim.console.both(f"  restoring {kind} style {force.style} from restart\n")
         {"pair": _pair, "bond": _bond}.get(kind, _many_body)(sim, force, KIND.get(kind))
