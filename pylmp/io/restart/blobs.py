@@ -12,13 +12,14 @@ from typing import Any
 
 from pylmp.io.restart.content import Force
 from pylmp.io.restart.stream import Packer, Unpacker
-from pylmp.model.blob import NUMBER, Blob
+from pylmp.model.blob import FLAG, MIXING, NUMBER, UNLESS, Blob
 from pylmp.model.registry import ANGLES, BONDS, DIHEDRALS, IMPROPERS, PAIRS, Registry
 from pylmp.model.unknown import unknown_style
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args, Word
 
 HYBRID = {"bond": ("hybrid",), "pair": ("hybrid", "hybrid/overlay")}
+_CODES = {FLAG: (0, 1), UNLESS: (0, 1), MIXING: (0, 1, 2)}
 REGISTRIES: dict[str, Registry[Any]] = {
     "pair": PAIRS, "bond": BONDS, "angle": ANGLES, "dihedral": DIHEDRALS, "improper": IMPROPERS,
 }  # fmt: skip
@@ -111,7 +112,10 @@ def _unpack_hybrid(source: Unpacker, kind: str, force: Force) -> None:
 
 def _unpack_settings(source: Unpacker, force: Force, blob: Blob) -> None:
     for name, how in blob.settings:
-        force.settings[name] = source.number() if how == NUMBER else source.integer()
+        value = source.number() if how == NUMBER else source.integer()
+        if how in _CODES and value not in _CODES[how]:
+            source.fail(why=f"{name} is {value}")
+        force.settings[name] = value
 
 
 def _flag(source: Unpacker) -> bool:

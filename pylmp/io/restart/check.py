@@ -14,7 +14,8 @@ from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.text.diagnostic import Unsupported
 
 _MOST_TYPES = 1_000_000
-_MOST_SLOTS = 1_000_000
+_MOST_SLOTS = 500_000_000
+_FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out
 _SIZES = {"smallint": 4, "imageint": 4, "tagint": 4, "bigint": 8}
 _LENGTHS = {
     "process grid": 3, "boundary": 6, "least": 6, "lo": 3, "hi": 3, "special lj": 3, "special coul": 3,
@@ -73,8 +74,10 @@ def _check_kinds(source: Unpacker, header: dict[str, Any]) -> None:
         if not 0 <= header[f"{kind} types"] <= _MOST_TYPES or header[f"{kind}s"] < 0:
             source.fail(why=f"{header[f'{kind} types']} {kind} types, {header[f'{kind}s']} {kind}s")
     for name in (*(f"{kind} per atom" for kind in layout.KINDS), "special per atom", "sort every"):
-        if not 0 <= header[name] <= (_MOST_SLOTS if name != "sort every" else 2**31):
+        if header[name] < 0 or (name != "sort every" and header[name] * header["atoms"] > _MOST_SLOTS):
             source.fail(why=f"{name} {header[name]}")
+    if header["record growth"] != sum(header[f"{kind} per atom"] * (1 + ids) for kind, ids in layout.KINDS.items()):
+        source.fail(why="bonds, angles, dihedrals and impropers per atom that do not fit together")
     for name in ("comm cutoff", "sort bin"):
         if not (math.isfinite(header[name]) and header[name] >= 0.0):
             source.fail(why=f"{name} {header[name]}")
@@ -107,8 +110,9 @@ def check_atoms(source: Unpacker, content: Content) -> None:
         return
     if ((atoms["type"] < 1) | (atoms["type"] > header["atom types"])).any():
         wrong(f"an atom type outside 1 to {header['atom types']}")
-    if not np.isfinite(atoms["x"]).all():
-        wrong("an atom without a place")
+    lengths = np.subtract(header["hi"], header["lo"])
+    if not (np.abs(atoms["x"] - header["lo"]) <= _FARTHEST * lengths).all():
+        wrong("an atom without a place near the box")
     if (atoms["id"] < 1).any() or len(np.unique(atoms["id"])) != content.n:
         wrong("atom IDs that are not positive or occur twice")
     largest = int(atoms["id"].max())

@@ -47,9 +47,10 @@ def _open(source: Unpacker) -> Unpacker:
     source.at = 16
     order, revision = source.integer(), source.integer()
     if order == layout.SWAPPED:
-        source.fail("Restart file byte ordering is swapped", "it comes from a machine with the other byte order")
+        source.fail("Restart file byte ordering is swapped")
     if order != layout.ORDER:
-        source.fail("Restart file byte ordering is not recognized")
+        why = "it comes from a machine with the other byte order" if order == 0x01000000 else ""
+        source.fail("Restart file byte ordering is not recognized", why)
     if revision != layout.REVISION:
         source.fail(
             "Restart file format revision incompatible with current LAMMPS version",

@@ -6,7 +6,7 @@ A record is a flag (int) and a payload; a section of records ends with the flag 
 from __future__ import annotations
 
 MAGIC = b"LammpS RestartT\0"  # the first and the last 16 bytes
-ORDER, SWAPPED = 1, 0x01000000  # the byte order mark, as written and from a machine of the other kind
+ORDER, SWAPPED = 1, 0x1000  # the byte order mark, and what LAMMPS takes for one of a machine of the other kind
 REVISION = 3
 VERSION = "22 Jul 2025"
 END = -1
