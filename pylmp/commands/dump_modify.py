@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pylmp.dumps.settings import modify
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args
@@ -17,4 +18,4 @@ def dump_modify(sim: Simulation, args: Args) -> None:
         args.fail(
             f"Could not find dump_modify ID: {word.text}", word, hint=f"dumps: {known}" if known else "dump comes first"
         )
-    sim.output.dumps[word.text].modify(sim, args)
+    modify(sim.output.dumps[word.text], sim, args)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from pylmp.io.ready import initialise
 from pylmp.io.run_log import loop_time, minimized
 from pylmp.model.minimize import MinPlan
 from pylmp.model.registry import command
@@ -29,7 +30,7 @@ def minimize(sim: Simulation, args: Args) -> None:
     sim.begin, sim.end = sim.step, sim.step + plan.maxiter
     sim.output.begin(sim.step, sim.end, True)
     try:
-        sim.init()
+        initialise(sim)
         assert sim.engine is not None
         sim.report, result = sim.engine.minimize(sim, state(sim), plan)
         sim.ran = True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pylmp.io.ready import initialise
 from pylmp.io.run_log import footer, loop_time
 from pylmp.model.checks import warn_motionless
 from pylmp.model.engine import RunPlan
@@ -61,7 +62,7 @@ def _segment(sim: Simulation, plan: RunPlan, post: bool) -> None:
     try:
         if plan.setup:
             warn_motionless(sim)
-            sim.init()
+            initialise(sim)
         sim.report = sim.engine.run(sim, state(sim), plan)
         sim.ran = True
     finally:

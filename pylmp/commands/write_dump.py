@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pylmp.commands.dump import dump_style, group_bit
+from pylmp.dumps.settings import modify
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args
@@ -22,7 +23,7 @@ def write_dump(sim: Simulation, args: Args) -> None:
     kind = dump_style(args, style)
     inner = Args(f"dump {style.text}", words[:at], path, args.manual)
     dump = kind(sim, "WRITE_DUMP", group.text, bit, max(sim.step, 1), path, inner)
-    dump.modify(sim, Args("dump_modify", words[at + 1 :], style, "dump_modify.html"))
+    modify(dump, sim, Args("dump_modify", words[at + 1 :], style, "dump_modify.html"))
     if not sim.ran:
         sim.console.warning("Calling write_dump before a full system init")
     dump.init(sim)

@@ -57,5 +57,7 @@ class DisplaceAtom(Keepsake):
 
     def refresh(self, sim: Simulation) -> None:
         """A dump was written: atoms whose variable is not 0 are measured from where they are now."""
+        if not self.variable:
+            return
         again = Variables(sim).per_atom(self.variable) != 0.0
         sim.atoms.extra[self.key][: sim.atoms.n][again] = unwrapped(sim, again)

@@ -156,7 +156,7 @@ class Reduce(Compute):
             array, axis = _PLAIN[name]
             return np.asarray(getattr(sim.atoms, array)[: sim.atoms.n, axis][self.members(sim)])
         if kind == "v":
-            return Variables(sim).per_atom(name)[self.members(sim)]
+            return Variables(sim).per_atom(name, np.flatnonzero(self.members(sim)))
         source = self._source(sim, kind, name)
         if sim.step % getattr(source, "compatible_every", 1):
             raise ScriptError(f"Fix {name} used in compute {self.style} not computed at compatible time")

@@ -17,7 +17,7 @@ from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args, Word
 
 
-@DUMPS.register("atom")
+@DUMPS.register("atom", "atom/gz")
 class DumpAtom(Dump):
     style = "atom"
 

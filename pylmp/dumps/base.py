@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, NoReturn
+from typing import Any, ClassVar
 
 import numpy as np
 
 from pylmp.dumps.file import DumpFile
-from pylmp.dumps.frame import Field, order, text, user_formats
-from pylmp.dumps.settings import ELSEWHERE, SETTINGS, read_format
+from pylmp.dumps.frame import Field, Layout, order, text, user_formats
+from pylmp.dumps.schedule import Schedule
 from pylmp.model.atoms import Ints
 from pylmp.model.paths import writable
 from pylmp.model.simulation import Simulation
-from pylmp.text.diagnostic import ScriptError, Unsupported
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.printf import Format
 from pylmp.text.words import Args, Word
 
@@ -20,26 +20,28 @@ from pylmp.text.words import Args, Word
 class Dump:
     """Base of the dump styles. A style fills fields and says which rows and how many there are.
 
-    every, first, delay   when frames are written: multiples of every from delay on; first: also when a run begins
-    sort    "" as stored, "id", or a column number from 1, negative for descending
+    schedule  when frames are due
+    due       the step of the next frame
+    keys      what sort numbers mean, if not the fields
+    sort      "" as stored, "id", or a column number from 1, negative for descending
     formats headers       the user's, by column from 0; for_whole, for_real, for_line: for all columns
-    due     the step of the next frame
-    pbc     periodic coordinates are wrapped for the frame
+    pbc       periodic coordinates are wrapped for the frame
     """
 
     style: ClassVar[str] = ""
-    ending: ClassVar[str] = "\n"
+    layout: ClassVar[Layout] = Layout("", " ", "\n")
 
     def __init__(
         self, sim: Simulation, identity: str, group: str, bit: int, every: int, path: Word, args: Args
     ) -> None:  # fmt: skip
-        self.id, self.group, self.bit, self.every = identity, group, bit, every
+        self.id, self.group, self.bit = identity, group, bit
+        self.schedule = Schedule(every)
         writable(sim, path)
         self.file = DumpFile(args, path)
         self.fields: list[Field] = []
-        self.first = self.pbc = self.units = self.time = False
+        self.keys: list[Field] = []
+        self.pbc = self.units = self.time = False
         self.header = True
-        self.delay = 0
         self.sort: int | str = ""
         self.formats: dict[int, Format] = {}
         self.headers: dict[int, str] = {}
@@ -67,15 +69,26 @@ class Dump:
         """A dump_modify keyword of this style alone; False: not one."""
         return False
 
+    def format_kind(self, args: Args, what: Word) -> None:
+        """Refuse ``format WORD`` where a style has none."""
+
+    def written(self, sim: Simulation) -> None:
+        """A frame was written."""
+
     @property
     def measures(self) -> bool:
         """It evaluates computes or variables."""
-        return False
+        return self.schedule.varies
 
     @property
     def label(self) -> str:
         """What the header calls the rows."""
         return "ATOMS"
+
+    @property
+    def footer(self) -> str:
+        """What ends a frame."""
+        return ""
 
     # ---- when -----------------------------------------------------------------------------------------------
 
@@ -85,31 +98,28 @@ class Dump:
 
     def init(self, sim: Simulation) -> None:
         """Check, and open the file: once."""
-        if isinstance(self.sort, int) and abs(self.sort) > len(self.fields):
-            raise ScriptError(f"Dump sort column index {abs(self.sort)} is invalid", hint=f"1 to {len(self.fields)}")
+        keys = self.keys or self.fields
+        if isinstance(self.sort, int) and abs(self.sort) > len(keys):
+            raise ScriptError(f"Dump sort column index {abs(self.sort)} is invalid", hint=f"1 to {len(keys)}")
         if self.for_line and len(self.for_line) < len(self.fields):
             line = " ".join(f.text for f in self.for_line)
             raise ScriptError(f"Dump_modify format line is too short: {line}", hint=f"{len(self.fields)} columns")
+        self.schedule.check(sim)
         self.check(sim)
         self.file.open()
 
     def setup(self, sim: Simulation) -> None:
         """A run begins: write the current step if it is due and was not written."""
-        step = sim.step
-        due = step % self.every == 0 and self._last != step
-        if (due or (self.first and self._last < 0)) and step >= self.delay:
-            self.write_due(sim)
-            return
-        self.due = self.next_step(step)
         if self.measures:
+            sim.asking.block()
+        due = self.schedule.starts(sim, self._last)
+        if due:
+            self.write(sim)
+        self.due = self.schedule.following(sim, self.id, started=True)
+        if self.measures and due:
+            sim.asking.again(self.due)
+        elif self.measures:
             sim.asking.everyone(self.due)
-
-    def next_step(self, step: int) -> int:
-        """The first step after step that is due."""
-        step = max(step + 1, self.delay)
-        return -(-step // self.every) * self.every
-
-    # ---- a frame --------------------------------------------------------------------------------------------
 
     def write_due(self, sim: Simulation) -> None:
         """Write the frame of the current step in a block of its own, unless it was written; schedule the next one."""
@@ -118,12 +128,17 @@ class Dump:
         if self.measures:
             sim.asking.block()
         self.write(sim)
-        self.due = self.next_step(sim.step)
+        self.due = self.schedule.following(sim, self.id, started=False)
         if self.measures:
             sim.asking.again(self.due)
 
+    # ---- a frame --------------------------------------------------------------------------------------------
+
     def write(self, sim: Simulation) -> None:
-        """Write the frame of the current step."""
+        """Write the frame of the current step, unless the script wants it left out."""
+        self._last = sim.step
+        if self.schedule.skips(sim):
+            return
         atoms = sim.atoms
         moving = atoms.x[: atoms.n], atoms.v[: atoms.n], atoms.image[: atoms.n]
         kept = [array.copy() for array in moving] if self.pbc else []
@@ -137,7 +152,7 @@ class Dump:
             for array, before in zip(moving, kept, strict=False):
                 array[:] = before
         self.file.write(sim.step, frame)
-        self._last = sim.step
+        self.written(sim)
 
     def close(self) -> None:
         self.file.close()
@@ -149,15 +164,22 @@ class Dump:
         if self.sort == "id":
             chosen = order(sim.atoms.tag[rows], False)
         elif isinstance(self.sort, int):
-            chosen = order(columns[abs(self.sort) - 1], self.sort < 0)
+            at = abs(self.sort) - 1
+            keys = np.asarray(self.keys[at].values(sim, rows, known)) if self.keys else columns[at]
+            chosen = order(keys, self.sort < 0)
         else:
             chosen = None
         if chosen is not None:
             columns = [column[chosen] for column in columns]
-        body = text(columns, user_formats(self), self.ending)
-        return (self._head(sim, len(rows)) if self.header else "") + body
+        body = text(columns, self.cell_formats(), self.layout)
+        return (self.head(sim, len(rows)) if self.header else "") + body + self.footer
 
-    def _head(self, sim: Simulation, count: int) -> str:
+    def cell_formats(self) -> list[Format]:
+        """How each column is printed."""
+        return user_formats(self)
+
+    def head(self, sim: Simulation, count: int) -> str:
+        """What stands above count rows."""
         lines = []
         if self.units and (self.file.one_a_frame or not self._units_written):
             lines += ["ITEM: UNITS", sim.units.name]
@@ -174,32 +196,7 @@ class Dump:
         names = " ".join(self.headers.get(k, field.name) for k, field in enumerate(self.fields))
         return "\n".join([*lines, f"ITEM: {self.label} {names}"]) + "\n"
 
-    # ---- dump_modify ----------------------------------------------------------------------------------------
-
-    def modify(self, sim: Simulation, args: Args) -> None:
-        """The keywords of dump_modify."""
-        while len(args):
-            key = args.word()
-            if key.text == "write_header":
-                self._write_header(sim, args, key)
-            elif key.text in ELSEWHERE:
-                raise Unsupported(f"LAMMPS has dump_modify {key.text}, pylmp's native engines do not", key.span)
-            elif key.text in SETTINGS:
-                if not len(args):
-                    args.fail(f"Illegal dump_modify {key.text} command: missing argument(s)", key)
-                SETTINGS[key.text](self, args)
-            elif not self.setting(sim, args, key):
-                self._unknown(args, key)
-
-    def _unknown(self, args: Args, key: Word) -> NoReturn:
-        args.fail(f"Unknown dump_modify keyword: {key.text}", key, hint=" ".join(SETTINGS))
-
-    def _write_header(self, sim: Simulation, args: Args, key: Word) -> None:
-        """The manual's name for header."""
-        if sim.strict or not len(args):
-            args.fail("Unknown dump_modify keyword: write_header", key, hint="header yes or header no", code="D002")
-        sim.console.warning("[D002] the manual's dump_modify write_header is called header in LAMMPS 22 Jul 2025")
-        self.header = args.yes()
+    # ---- columns --------------------------------------------------------------------------------------------
 
     def column(self, word: Word) -> int | None:
         """Column from 0 that a number (from 1, or from -1 at the end) or a name stands for."""
@@ -219,29 +216,3 @@ class Dump:
             args.as_integer(word)
             args.fail(f"Unknown dump_modify format ID keyword: {word.text}", word, hint=f"1 to {len(self.fields)}")
         return at
-
-    def format_kind(self, args: Args, what: Word) -> None:
-        """Refuse ``format WORD`` where a style has none."""
-
-    def format_words(self, args: Args) -> None:
-        """The words after ``format``."""
-        what = args.word()
-        if what.text == "none":
-            self.formats, self.for_line = {}, []
-            self.for_whole = self.for_real = None
-            return
-        if not len(args):
-            args.fail("Illegal dump_modify format command: missing argument(s)", what)
-        value = args.word()
-        if what.text != "line":
-            self.format_kind(args, what)
-        if what.text == "line":
-            self.for_line = [read_format(args, value, part) for part in value.text.split()]
-        elif what.text == "int":
-            if "d" not in value.text:
-                args.fail("Dump_modify int format does not contain d character", value, hint='for example "%8d"')
-            self.for_whole = read_format(args, value, value.text)
-        elif what.text == "float":
-            self.for_real = read_format(args, value, value.text)
-        else:
-            self.formats[self.format_column(args, what)] = read_format(args, value, value.text)

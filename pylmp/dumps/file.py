@@ -17,7 +17,9 @@ class DumpFile:
 
     def __init__(self, args: Args, word: Word) -> None:
         self.name = word.text
-        if "%" in self.name or self.name.endswith(_ELSEWHERE):
+        self.split = "%" in self.name  # a file a process: here there is one, with number 0
+        self.name = self.name.replace("%", "0", 1)
+        if self.name.endswith(_ELSEWHERE):
             raise Unsupported(
                 f"LAMMPS writes dump files like {self.name}, pylmp's native engines do not",
                 word.span,
@@ -26,6 +28,8 @@ class DumpFile:
         self.one_a_frame = "*" in self.name
         self.pad = 0
         self.append = False
+        self.most = 0  # files kept, the oldest go; 0: all
+        self._kept: list[str] = []
         self._file: int | None = None
 
     def open(self) -> None:
@@ -44,9 +48,18 @@ class DumpFile:
             self._write(data)
             self.close()
             os.replace(f"{path}.part", path)
+            self._forget(path)
         else:
             self.open()
             self._write(data)
+
+    def _forget(self, path: str) -> None:
+        """Remove the oldest file if there are too many."""
+        if not self.most:
+            return
+        self._kept.append(path)
+        if len(self._kept) > self.most:
+            Path(self._kept.pop(0)).unlink(missing_ok=True)
 
     def _write(self, data: bytes) -> None:
         assert self._file is not None

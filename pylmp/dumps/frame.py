@@ -40,15 +40,24 @@ def order(keys: Any, descending: bool) -> Ints:
     return np.asarray(start[np.argsort(-keys if descending else keys, kind="stable")])
 
 
-def text(columns: Sequence[Any], formats: Sequence[Format], ending: str) -> str:
-    """The rows, cells joined by one blank. columns: arrays of one length."""
+@dataclass(frozen=True)
+class Layout:
+    """What stands before, between and behind the cells of a row."""
+
+    begin: str
+    between: str
+    end: str
+
+
+def text(columns: Sequence[Any], formats: Sequence[Format], layout: Layout) -> str:
+    """The rows. columns: arrays of one length."""
     if not columns or len(columns[0]) == 0:
         return ""
     if any(c.dtype.kind == "f" and np.isnan(c).any() for c in columns):
         cells = zip(*([f(v) for v in c.tolist()] for c, f in zip(columns, formats, strict=True)), strict=True)
-        return "".join(" ".join(row) + ending for row in cells)
+        return "".join(layout.begin + layout.between.join(row) + layout.end for row in cells)
     whole = [c.astype(np.int64) if f.whole else c for c, f in zip(columns, formats, strict=True)]
-    row = " ".join(f.python for f in formats) + ending
+    row = layout.begin + layout.between.join(f.python for f in formats) + layout.end
     values = chain.from_iterable(zip(*(c.tolist() for c in whole), strict=True))
     return (row * len(columns[0])) % tuple(values)
 

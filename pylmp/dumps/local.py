@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pylmp.dumps.base import Dump
-from pylmp.dumps.frame import WHOLE, Field
+from pylmp.dumps.frame import WHOLE, Field, Layout
 from pylmp.model.atoms import Ints
 from pylmp.model.compute import current
 from pylmp.model.reference import Reference, expand, length, offers, parse
@@ -21,10 +21,10 @@ from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
 
-@DUMPS.register("local")
+@DUMPS.register("local", "local/gz")
 class DumpLocal(Dump):
     style = "local"
-    ending: ClassVar[str] = " \n"
+    layout: ClassVar[Layout] = Layout("", " ", " \n")
 
     def read(self, sim: Simulation, args: Args) -> None:
         if not len(args):
@@ -48,7 +48,7 @@ class DumpLocal(Dump):
 
     @property
     def measures(self) -> bool:
-        return bool(self.sources)
+        return bool(self.sources) or super().measures
 
     def rows(self, sim: Simulation, known: dict[Any, Any]) -> Ints:
         sizes = set()
@@ -74,7 +74,8 @@ class DumpLocal(Dump):
                 raise ScriptError(
                     f"Dump compute ID {found.name} cannot be invoked before initialization by a run", hint="run 0"
                 )
-            if self.every % getattr(source, "compatible_every", 1):
+            every = self.schedule.every
+            if isinstance(every, int) and every % getattr(source, "compatible_every", 1):
                 hint = f"dump every {source.compatible_every} steps, or a multiple"
                 raise ScriptError(f"Dump local and fix {found.name} not computed at compatible times", hint=hint)
 

@@ -14,7 +14,6 @@ from typing import Any, TypeVar
 from pylmp.engines.force_field import ForceField
 from pylmp.engines.minimize import Relaxation
 from pylmp.engines.timers import Timers
-from pylmp.io.neighbor_info import Request, announce
 from pylmp.model.bondlist import Breaks
 from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.fix import STEP_HOOKS, hooks
@@ -85,9 +84,7 @@ class Run:
     def begin(self, title: str) -> None:
         """Lists and forces of the first step; title: what the screen is told."""
         sim = self.sim
-        if sim.pair is not None:
-            announce(sim, (Request(f"pair {sim.pair.name}"),))
-        elif sim.sort.every and not sim.sort.bin_size:
+        if sim.pair is None and sim.sort.every and not sim.sort.bin_size:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
             sim.sort.every = 0  # for good: a pair style that comes later does not bring it back
         self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}

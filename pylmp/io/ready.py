@@ -16,10 +16,13 @@ from pylmp.model.simulation import Simulation
 
 
 def initialise(sim: Simulation, *requests: Request) -> None:
-    """System init: every part checks itself; the log describes the neighbor lists, those of requests first."""
+    """System init before runs and before commands that need a complete system: every part checks itself; the log describes the
+    neighbor lists, those of requests first; output checks itself and opens its files.
+    """
     sim.init()
     if sim.pair is not None:
         announce(sim, (*requests, Request(f"pair {sim.pair.name}")))
+    sim.output.init(sim)
 
 
 def full_list(sim: Simulation) -> tuple[Ints, Ints, Floats]:

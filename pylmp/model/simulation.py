@@ -177,7 +177,7 @@ class Simulation:
         return self.mass[self.atoms.type[: self.atoms.n]]
 
     def init(self) -> None:
-        """What LAMMPS does before a run and before commands that need a complete system: every part checks itself."""
+        """Every part checks itself. Commands call io/ready.py's initialise, which also announces lists and readies the output."""
         if self.pair:
             self.pair.init(self)
         for bonded in self.style.kinds:
@@ -202,7 +202,6 @@ class Simulation:
         self.asking.init(self.step)
         check_integration(self)
         check_neighbor_settings(self)
-        self.output.init(self)
 
     def _init_bonded(self, kind: Kind) -> None:
         if kind.style(self) is not None:

@@ -33,7 +33,7 @@ ELSEWHERE = {
     "msd/chunk msd/nongauss nbond orientorder/atom pair pair/local pressure/cylinder property/chunk rdf "
     "reduce/chunk slice stress/mop temp/asphere temp/chunk temp/deform temp/profile "
     "temp/ramp temp/rotate temp/sphere torque/chunk vcm/chunk voronoi/atom xrd",
-    "dump": "atom/gz cfg custom/gz dcd h5md image local/gz molfile movie netcdf vtk xtc xyz yaml",
+    "dump": "dcd grid grid/vtk h5md molfile netcdf netcdf/mpiio vtk xtc",
 }  # fmt: skip
 
 

@@ -28,6 +28,7 @@ class Thermo:
     norm            extensive values are divided by the number of atoms (None: what the unit system says)
     lost            what to do when atoms are gone: error, warn or ignore
     formats headers by column number from 0: the user's; for_whole, for_real, for_line: the user's for all columns
+    written         step and values of the last line
     temp press pe   IDs of the computes it reads
     custom          the columns are the user's; else the volume joins them in runs in which the box changes
     """
@@ -47,6 +48,7 @@ class Thermo:
         self.for_line: list[Format] = []
         self.temp, self.press, self.pe = "thermo_temp", "thermo_press", "thermo_pe"
         self.silent = False  # said that there are too many warnings
+        self.written: tuple[int, list[float]] = (-1, [])
         self.modified = self.custom = self._warned = False
         self.variables = Variables(sim)
         self._paces: dict[str, tuple[float, float]] = {}
@@ -159,7 +161,8 @@ class Thermo:
             source = found.source(self.sim)
             if found.kind != "v" and source is None:
                 raise ScriptError(f"Could not find thermo {found.what} with ID {found.name}")
-            if found.kind == "f" and self.sim.output.every % source.compatible_every:
+            every = 0 if self.sim.output.variable else self.sim.output.every
+            if found.kind == "f" and every % source.compatible_every:
                 raise ScriptError(
                     f"Thermo and fix {found.name} not computed at compatible times", manual="Errors_details.html#err0007",
                     hint=f"thermo {source.compatible_every}, or a multiple",
@@ -190,6 +193,7 @@ class Thermo:
             if entry.reference is not None and entry.reference.kind == "v"
         }
         values = [variables[k] if k in variables else entry.value(self) for k, entry in enumerate(self.columns)]
+        self.written = self.sim.step, values
         cells = [self._format(k)(value) for k, value in enumerate(values)]
         self.sim.console.both(self.layout.row(self.names, cells, self.sim.step, self.cpu()))
         if self.flush:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,7 @@ _ANSWERS = re.compile(
     r"|\d+ atoms in group|\d+ settings made|Total # of neighbors|Ave (special )?neighs/atom|Neighbor list builds"
     r"|Dangerous builds|Nlocal:|Nghost:|Neighs:|WARNING: (?!.*deprecated|\[D))"
 )
+_GZIP = b"\x1f\x8b"
 _CELL = re.compile(r"(\S+)\s+=\s+(\S+)")
 
 
@@ -82,16 +84,52 @@ class Frame:
 
 
 def dump_frames(path: Path) -> list[Frame]:
-    """Frames of a text dump; a dump without headers is one frame."""
-    text = path.read_text()
-    if "ITEM: TIMESTEP" not in text:
-        return [Frame("", [], [], [line.split() for line in text.splitlines()])]
+    """Frames of a dump: LAMMPS's own text format, XYZ, YAML, each also compressed; any other text is one frame."""
+    data = path.read_bytes()
+    text = (gzip.decompress(data) if data[:2] == _GZIP else data).decode()
+    if "ITEM: TIMESTEP" in text:
+        return _native(text)
+    if text.startswith("---\ncreator: LAMMPS"):
+        return [_document(piece) for piece in text.split("---\n")[1:]]
+    if re.match(r"\d+\n Atoms\. Timestep: ", text):
+        return _xyz(text.splitlines())
+    return [Frame("", [], [], [line.split() for line in text.splitlines()])]
+
+
+def _native(text: str) -> list[Frame]:
     result = []
     for piece in text.split("ITEM: TIMESTEP\n")[1:]:
         lines = piece.splitlines()
         start = max(k for k, line in enumerate(lines) if line.startswith("ITEM: "))
         rows = [line.split() for line in lines[start + 1 :]]
         result.append(Frame(lines[0], lines[1 : start + 1], lines[start].split()[2:], rows))
+    return result
+
+
+def _document(text: str) -> Frame:
+    """One document of a YAML dump. Numbers of the header are compared as rows, words as text."""
+    head, _, body = text.partition("data:\n")
+    lines = head.splitlines()
+    step = next((line.split()[1] for line in lines if line.startswith("timestep: ")), "")
+    columns = _cells(lines[-1].partition(":")[2])
+    above = [_cells(line.partition("[")[2]) for line in lines if line.startswith(("  - [ ", "  - data"))]
+    rows = [_cells(line) for line in body.splitlines() if line.startswith("  - [")]
+    texts = [line for line in lines if not line.startswith("  - [ ") and not line.startswith("  - data")]
+    return Frame(step, texts, columns, above + rows)
+
+
+def _cells(line: str) -> list[str]:
+    return [cell.strip() for cell in line.strip(" -[]").split(",") if cell.strip()]
+
+
+def _xyz(lines: list[str]) -> list[Frame]:
+    result = []
+    at = 0
+    while at + 1 < len(lines):
+        count = int(lines[at])
+        rows = [line.split() for line in lines[at + 2 : at + 2 + count]]
+        result.append(Frame(lines[at + 1].split()[2], [lines[at + 1]], ["name", "x", "y", "z"], rows))
+        at += 2 + count
     return result
 
 
