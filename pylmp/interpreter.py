@@ -201,7 +201,7 @@ ELSEWHERE = frozenset(
         "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
         "kspace_modify", "kspace_style", "mdi", "molecule", "neb",
         "ndx2group", "package", "pair_write", "partition", "plugin", "prd", "processors", "python", "read_dump",
-        "rerun", "reset_atoms", "run_style", "shell", "suffix", "tad", "temper",
+        "rerun", "run_style", "shell", "suffix", "tad", "temper",
         "thermo_log", "third_order", "timer", "write_coeff",
     }
 )  # fmt: skip

@@ -8,13 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.setup.both import Made, library, on_lammps, on_pylmp
+from tests.setup.both import Made, on_lammps, on_pylmp
 
 
 def run_both(script: str, folder: Path, files: dict[str, str]) -> tuple[Made, Made]:
     """Each program in a folder of its own (folder/reference, folder/ours)."""
     made = []
-    library().command("thermo_modify warn reset")  # it falls silent after 100 warnings
     for name, program in (("reference", on_lammps), ("ours", on_pylmp)):
         home = folder / name
         home.mkdir(parents=True, exist_ok=True)
