@@ -29,12 +29,14 @@ def minimize(sim: Simulation, args: Args) -> None:
         sim.console.both("Switching to 'neigh_modify every 1 delay 0 check yes' setting during minimization\n")
     sim.begin, sim.end = sim.step, sim.step + plan.maxiter
     sim.output.begin(sim.step, sim.end, True)
+    sim.relaxing = True
     try:
         initialise(sim)
         assert sim.engine is not None
         sim.report, result = sim.engine.minimize(sim, state(sim), plan)
         sim.ran = True
     finally:
+        sim.relaxing = False
         sim.output.end()
         sim.neighbor = before
     sim.output.thermo.end()

@@ -6,7 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 from pylmp.model.asking import ENERGY
-from pylmp.model.minimize import MAX_ITERATIONS, Minimizer, MinPlan, MinReport, dot, largest_force
+from pylmp.model.fix import hooks
+from pylmp.model.minimize import MAX_ITERATIONS, OUT_OF_TIME, Minimizer, MinPlan, MinReport, dot, largest_force
 from pylmp.model.registry import MINIMIZERS
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ class Relaxation:
             f"  Current step  : {sim.step}\n"
         )
         for fix in self.fixes:
-            fix.post_force(sim)  # type: ignore[attr-defined]
+            fix.min_setup(sim)
         self.minimizer.prepare()
         sim.console.both(self.minimizer.describe())
         sim.output.setup(sim)
@@ -46,7 +47,7 @@ class Relaxation:
         run.renew()
         run.forces_at(self._wanted)
         for fix in self.fixes:
-            fix.post_force(sim)  # type: ignore[attr-defined]
+            fix.min_post_force(sim)
         run.timers.stamp("Modify")
         return self._energy()
 
@@ -72,6 +73,8 @@ class Relaxation:
             sim.output.write_all(sim)
             self.run.timers.stamp("Output")
         minimizer.end()
+        for hook in hooks(sim.fixes, "post_run"):
+            hook(sim)
         return MinReport(
             criterion=criterion, energies=(first, minimizer.previous, minimizer.energy),
             norms=(norm, math.sqrt(dot(minimizer.f, minimizer.f))), largest=(largest, largest_force(minimizer.f)),
@@ -81,6 +84,8 @@ class Relaxation:
     def _loop(self, plan: MinPlan) -> str:
         sim, minimizer = self.sim, self.minimizer
         for _ in range(plan.maxiter):
+            if sim.halted:
+                return OUT_OF_TIME
             sim.step += 1
             minimizer.iterations += 1
             self._wanted = sim.asking.take(sim.step) | ENERGY

@@ -59,6 +59,9 @@ class AddForce(ForceFix):
                     "Cannot use variable energy with constant force in fix addforce", hint="its energy is known: leave energy out"
                 )
 
+        elif sim.relaxing and self.varies:
+            raise ScriptError("Must use variable energy with fix addforce", hint="energy v_NAME, whose gradient the force is")
+
     def post_force(self, sim: Simulation) -> None:
         if sim.step % self.interval:
             return

@@ -31,6 +31,7 @@ _OPERATORS = {
 @FIXES.register("halt")
 class Halt(Fix):
     style = "halt"
+    minimizes = True
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
@@ -57,7 +58,7 @@ class Halt(Fix):
             self._keyword(args, args.word())
         if self.attribute.text == "diskfree":
             self._free()
-        self._hit = -1
+        self._hit = self._looked = -1
 
     def _keyword(self, args: Args, key: Word) -> None:
         if key.text not in ("error", "message", "path"):
@@ -80,7 +81,7 @@ class Halt(Fix):
 
     def init(self, sim: Simulation) -> None:
         self._check_variable(sim)
-        self._hit = -1
+        self._hit = self._looked = -1
         sim.asking.everyone(self._next(sim))
 
     def _next(self, sim: Simulation) -> int:
@@ -97,6 +98,15 @@ class Halt(Fix):
             sim.console.both(f"{text}\n")
         sim.halted = True
         self._hit = sim.step
+
+    def min_setup(self, sim: Simulation) -> None:
+        """Nothing: there was no step yet."""
+
+    def min_post_force(self, sim: Simulation) -> None:
+        """Once a step, however often forces are evaluated in it."""
+        if sim.step % self.every == 0 and sim.step != self._looked:
+            self.end_of_step(sim)
+        self._looked = sim.step
 
     def post_run(self, sim: Simulation) -> None:
         if self.how == "continue" and self._hit == sim.step:

@@ -13,6 +13,7 @@ from pylmp.model.forces import ForceFix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import totals
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
 
@@ -28,6 +29,11 @@ class SetForce(ForceFix):
         self.read_force(args, null=True)
         self.read_keywords(sim, args, {})
         self._before = np.zeros(3)
+
+    def init(self, sim: Simulation) -> None:
+        super().init(sim)
+        if sim.relaxing and any(force.varies or force.value != 0.0 for force in self.force):
+            raise ScriptError("Cannot use non-zero forces in an energy minimization", hint="0.0 or NULL, or fix addforce")
 
     def post_force(self, sim: Simulation) -> None:
         f = sim.atoms.f[: sim.atoms.n]

@@ -16,6 +16,7 @@ from pylmp.text.words import Args
 @FIXES.register("viscous")
 class Viscous(Fix):
     style = "viscous"
+    minimizes = True
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)

@@ -93,6 +93,14 @@ class Fix:
         """Carry out a fix_modify keyword of this style alone, taking its words; False: not one."""
         return False
 
+    def min_setup(self, sim: Simulation) -> None:
+        """What it does when a minimization is set up, after the forces."""
+        self.min_post_force(sim)
+
+    def min_post_force(self, sim: Simulation) -> None:
+        """What a fix that minimizes does at every force evaluation of a minimization: its post_force."""
+        self.post_force(sim)  # type: ignore[attr-defined]
+
     def functions(self) -> list[Any]:
         """Kernels it will call, so that a run can compile all it needs at once. It binds them in post_neighbor."""
         return []

@@ -21,6 +21,7 @@ NOT_DOWNHILL = "search direction is not downhill"
 ALPHA_IS_ZERO = "linesearch alpha is zero"
 FORCES_ARE_ZERO = "forces are zero"
 FACTORS_ARE_ZERO = "quadratic factors are zero"
+OUT_OF_TIME = "walltime limit reached"
 UPHILL = "max iterations with v.f negative"
 TINY = 1.0e-8  # keeps the relative change of energy defined where the energy is 0
 

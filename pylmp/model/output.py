@@ -56,7 +56,7 @@ class Output:
         self._with_setup = True
         self.restarts: Any = None  # the schedule of the restart command
         self._due = -1
-        self._thermo_due = -1
+        self._thermo_due = self._thermo_written = -1
 
     @property
     def thermo(self) -> Any:
@@ -102,6 +102,7 @@ class Output:
         """Write what is due before the first step of a run: header, first thermo line, dump frames."""
         sim.asking.block()
         self.thermo.begin(memory=self._with_setup)
+        self._thermo_written = -1
         self._schedule_thermo(sim)
         for dump in self.dumps.values():
             dump.setup(sim)
@@ -116,6 +117,7 @@ class Output:
         if sim.step == self._thermo_due:
             sim.asking.block()
             self.thermo.line()
+            self._thermo_written = sim.step
             self._schedule_thermo(sim)
         for dump in self.dumps.values():
             if dump.due == sim.step:
@@ -128,8 +130,9 @@ class Output:
         """Write everything at sim.step, the last one of a minimization, unless it was just written."""
         for dump in self.dumps.values():
             dump.write_due(sim)
-        sim.asking.block()
-        self.thermo.line()
+        if self._thermo_written != sim.step:
+            sim.asking.block()
+            self.thermo.line()
 
     def _schedule_thermo(self, sim: Simulation) -> None:
         """When the next line is due; what this one evaluated is wanted again then."""

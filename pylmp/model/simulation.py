@@ -101,6 +101,7 @@ class Simulation:
         self.natoms = 0  # LAMMPS's global count; atoms.n falls below it when atoms are lost
         self.waiting: Any = None  # what a restart file brought for fixes to come
         self.skip_run = False
+        self.relaxing = False  # a minimization is set up or in progress
         self.minimizing = MinSettings()
 
     def finish(self) -> None:
