@@ -196,7 +196,7 @@ class Interpreter:
 # Commands of LAMMPS that pylmp lacks: known, not misspelled.
 ELSEWHERE = frozenset(
     {
-        "angle_write", "balance", "bond_write", "change_box", "comm_style",
+        "angle_write", "balance", "bond_write", "comm_style",
         "dielectric", "dihedral_write", "dump2vtk",
         "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
         "kspace_modify", "kspace_style", "mdi", "molecule", "neb",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pylmp.model.box import Boundary
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args
@@ -14,13 +15,19 @@ def boundary(sim: Simulation, args: Args) -> None:
         args.fail("Boundary command after simulation box is defined", args.owner, hint="boundary comes before the box")
     if len(args) != 3:
         args.fail(f"Illegal boundary command: expected 3 arguments but found {len(args)}", args.owner)
+    sim.boundary = read_faces(args)
+
+
+def read_faces(args: Args) -> Boundary:
+    """Three words: what the faces of each direction are."""
     faces = []
-    for word in args.rest():
-        low, high = word.text[:1], word.text[1:] or word.text[:1]
+    for word in (args.word(), args.word(), args.word()):
+        low, high = word.text[:1], word.text[1:2] or word.text[:1]
         for letter in (low, high):
             if letter not in ("p", "f", "s", "m"):
-                args.fail(f"Unknown boundary keyword: {letter}", word, hint="p, f, s or m, one for both faces or two letters")
+                hint = "p, f, s or m, one for both faces or two letters"
+                args.fail(f"Unknown {args.what} keyword: {letter}", word, hint=hint)
         if (low == "p") != (high == "p"):
             args.fail("Both sides of boundary must be periodic", word)
         faces.append((low, high))
-    sim.boundary = faces[0], faces[1], faces[2]
+    return faces[0], faces[1], faces[2]

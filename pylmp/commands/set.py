@@ -112,6 +112,8 @@ Action = Callable[[Simulation, _Selection], int]  # changes the selected atoms, 
 @command("set", needs_box=True)
 def set_(sim: Simulation, args: Args) -> None:
     """Change properties of selected atoms. The selection is made once, then the keywords act in turn."""
+    if sim.natoms == 0:
+        args.fail("Set command on system without atoms", args.owner, hint="create_atoms or read_data comes first")
     args.need(4)
     style, identity = args.word(), args.word()
     selection = _Selection(sim, args, style, identity)

@@ -161,6 +161,8 @@ class Box:
             if high in "sm":
                 face = most[d] + self.margin[d]
                 hi[d] = face if high == "s" else max(face, self.least_hi[d])
+        if (lo >= hi).any():
+            raise ScriptError("Illegal simulation box", hint="an atom is beyond the fixed face opposite a shrink-wrapped one")
         self.place(lo, hi)
 
     def corners(self) -> Floats:

