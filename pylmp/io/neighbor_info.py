@@ -19,7 +19,15 @@ class Request:
     occasional: bool = False
 
 
-def announce(sim: Simulation, requests: tuple[Request, ...]) -> None:
+def announce(sim: Simulation, *requests: Request) -> None:
+    """Describe the neighbor lists, those of requests before the pair style's; warn of a box thinner than the skin."""
+    if sim.pair is not None:
+        _lists(sim, (*requests, Request(f"pair {sim.pair.name}")))
+    if (sim.box.length < sim.neighbor.skin)[: sim.dimension].any():
+        sim.console.warning("Proc sub-domain size < neighbor skin, could lead to lost atoms")
+
+
+def _lists(sim: Simulation, requests: tuple[Request, ...]) -> None:
     """Print `Neighbor list info ...`, unless the same lists were announced before; a command's list is new each time."""
     if sim.announced == requests and not any(request.occasional for request in requests):
         return

@@ -20,8 +20,7 @@ def initialise(sim: Simulation, *requests: Request) -> None:
     neighbor lists, those of requests first; output checks itself and opens its files.
     """
     sim.init()
-    if sim.pair is not None:
-        announce(sim, (*requests, Request(f"pair {sim.pair.name}")))
+    announce(sim, *requests)
     sim.output.init(sim)
 
 

