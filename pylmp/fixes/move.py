@@ -209,13 +209,12 @@ class Move(Fix):
             args.fail("Zero length rotation vector with fix move", args.owner)
 
     def _newcomer(self, sim: Simulation, atoms: Atoms, rows: slice) -> Floats:
-        """Where a new atom of the group would have begun, to be now where it is (under transrot LAMMPS's place has no meaning)."""
+        """Where a new atom of the group would have begun, to be now where it is; under transrot LAMMPS only turns it back."""
         x = atoms.x[rows].copy()
         if not self.bit & 1:
             return np.zeros_like(x)
         path, back = self.path, -(sim.step - self.began) * sim.dt
         if isinstance(path, Turn) and path.velocity:
-            x += np.array(path.velocity) * back
             path = Turn(path.center, path.axis, path.period)
         if isinstance(path, Given):
             if back != 0.0:
