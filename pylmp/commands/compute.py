@@ -29,4 +29,6 @@ def compute(sim: Simulation, args: Args) -> None:
             hint=f"groups: {' '.join(sim.groups.names)}",
         )  # fmt: skip
     inner = Args(f"compute {style.text}", args.rest(), style, f"compute_{style.text.replace('/', '_')}.html")
-    sim.computes[identity.text] = kind(sim, identity.text, group.text, bit, inner)
+    new = sim.computes[identity.text] = kind(sim, identity.text, group.text, bit, inner)
+    if sim.waiting is not None:
+        sim.waiting.offer_atoms(sim, new, new.store, "STORE/ATOM")

@@ -17,6 +17,7 @@ from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.sites import RandomPoints, Wanted, lattice_sites, within
 from pylmp.model.variables import EQUAL_STYLES, Variables
+from pylmp.model.waiting import refuse_atoms
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args, Word
 
@@ -41,6 +42,7 @@ class _Options:
 @command("create_atoms", needs_box=True)
 def create_atoms(sim: Simulation, args: Args) -> None:
     """Fill the box or a region with lattice sites, place one atom, or place atoms at random."""
+    refuse_atoms(sim, args, "Cannot create_atoms")
     args.need(2)
     sim.labels.translate(args, "atom")
     type_word, style = args.word(), args.word()

@@ -17,6 +17,7 @@ from pylmp.model.quantity import Quantity
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.transform import rotated, unit
+from pylmp.model.waiting import refuse_atoms
 from pylmp.text.words import Args, Word
 
 _DEGREE = math.pi / 180.0
@@ -39,6 +40,7 @@ class _Displacement:
 @command("displace_atoms", needs_box=True)
 def displace_atoms(sim: Simulation, args: Args) -> None:
     """Move atoms, then wrap them into the box."""
+    refuse_atoms(sim, args, "Cannot displace_atoms")
     if len(args) < 2:
         args.illegal(args.owner)
     sim.console.both("Displacing atoms ...\n")

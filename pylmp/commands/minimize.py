@@ -28,7 +28,7 @@ def minimize(sim: Simulation, args: Args) -> None:
     if before != sim.neighbor:
         sim.console.both("Switching to 'neigh_modify every 1 delay 0 check yes' setting during minimization\n")
     sim.begin, sim.end = sim.step, sim.step + plan.maxiter
-    sim.output.begin(sim.step, sim.end, True)
+    sim.output.begin(sim.step, sim.end, True, timeless=True)
     sim.relaxing = True
     try:
         initialise(sim)

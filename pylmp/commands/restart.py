@@ -24,7 +24,7 @@ def restart(sim: Simulation, args: Args) -> None:
             args.illegal(args.owner, hint="restart 0")
         sim.output.restarts = None
         return
-    if every < 0 or not len(args):
+    if not len(args):
         args.illegal(args.owner, hint="restart N BASE, or restart N FILE1 FILE2")
     names = [args.word() for _ in range(1 if len(args) % 2 else 2)]
     if len(names) == 1 and "*" not in names[0].text:

@@ -47,6 +47,13 @@ class SpringSelf(Fix):
         atoms.newcomers[self._name] = lambda atoms, rows: atoms.x[rows]
         self._energy = 0.0
 
+    def atom_state(self, sim: Simulation) -> Floats:
+        home = sim.atoms.extra[self._name][: sim.atoms.n]
+        return np.where(self.members(sim)[:, None], home, 0.0)
+
+    def restore_atoms(self, sim: Simulation, values: Floats) -> None:
+        sim.atoms.extra[self._name][: sim.atoms.n] = values
+
     def removed(self, sim: Simulation) -> None:
         sim.atoms.extra.pop(self._name, None)
         sim.atoms.newcomers.pop(self._name, None)

@@ -141,5 +141,12 @@ class StoreState(Fix):
         kept = sim.atoms.extra[self._key][: sim.atoms.n]
         return np.array(kept[:, 0] if self.columns == 1 else kept)
 
+    def atom_state(self, sim: Simulation) -> Floats:
+        return np.asarray(sim.atoms.extra[self._key][: sim.atoms.n], float)
+
+    def restore_atoms(self, sim: Simulation, values: Floats) -> None:
+        sim.atoms.extra[self._key][: sim.atoms.n] = values
+        self._first = False
+
     def removed(self, sim: Simulation) -> None:
         sim.atoms.extra.pop(self._key, None)

@@ -9,6 +9,7 @@ fix_temp_rescale.html.
 from __future__ import annotations
 
 import math
+import struct
 
 from pylmp.model.quantity import Quantity
 from pylmp.model.registry import FIXES
@@ -57,6 +58,12 @@ class TempRescale(Thermostat):
             factor = math.sqrt(target / now)
             self._energy += (now - target) * (0.5 * sim.units.boltz * dof)
             self.scale(sim, self.members(sim), factor)
+
+    def state(self, sim: Simulation) -> bytes:
+        return struct.pack("<d", self._energy)
+
+    def restore(self, sim: Simulation, state: bytes) -> None:
+        (self._energy,) = struct.unpack("<d", state)
 
     def scalar(self, sim: Simulation) -> float:
         return self._energy

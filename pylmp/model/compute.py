@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from pylmp.model.fix import BIRTHS
+
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
     from pylmp.text.words import Args
@@ -47,6 +49,7 @@ class Compute:
         self.id = identity
         self.group = group
         self.bit = bit
+        self.born = next(BIRTHS)
         self.invoked: dict[str, tuple[int, Any]] = {}
         self.evaluated: dict[str, Any] = {}
 
@@ -58,6 +61,18 @@ class Compute:
 
     def init(self, sim: Simulation) -> None:
         """Called at the start of every run."""
+
+    @property
+    def store(self) -> str:
+        """The ID under which restart files hold its atom_state."""
+        return f"{self.id}_COMPUTE_STORE"
+
+    def atom_state(self, sim: Simulation) -> NDArray[np.float64] | None:
+        """(n, k) what a restart file keeps of it with each atom; None: nothing."""
+        return None
+
+    def restore_atoms(self, sim: Simulation, values: NDArray[np.float64]) -> None:
+        """Go on from values (n, k)."""
 
     def setup(self, sim: Simulation) -> None:
         """Called in the set-up of every run, once the forces are known."""

@@ -37,6 +37,12 @@ class Keepsake(Compute):
     def kept(self, sim: Simulation) -> Floats:
         return np.asarray(sim.atoms.extra[self.key][: sim.atoms.n], float)
 
+    def atom_state(self, sim: Simulation) -> Floats | None:
+        return self.kept(sim) if self.key in sim.atoms.extra else None
+
+    def restore_atoms(self, sim: Simulation, values: Floats) -> None:
+        sim.atoms.extra[self.key][: sim.atoms.n] = values
+
     def removed(self, sim: Simulation) -> None:
         sim.atoms.extra.pop(self.key, None)
         sim.atoms.newcomers.pop(self.key, None)

@@ -54,6 +54,7 @@ class Output:
         self._sim = sim
         self._thermo: Any = None
         self._with_setup = True
+        self._timeless = False
         self.restarts: Any = None  # the schedule of the restart command
         self._due = -1
         self._thermo_due = self._thermo_written = -1
@@ -71,16 +72,19 @@ class Output:
     def thermo(self, thermo: Any) -> None:
         self._thermo = thermo
 
-    def begin(self, first: int, last: int, setup: bool) -> None:
-        """A run from step first to step last begins; its set-up, if there is one, comes next."""
+    def begin(self, first: int, last: int, setup: bool, timeless: bool = False) -> None:
+        """A run from step first to step last begins; its set-up, if there is one, comes next. timeless: it is a minimization."""
         self.first, self.last, self.running = first, last, True
         self._with_setup = setup
-        self.clock.begin(first)
+        self._timeless = timeless
+        if not timeless:
+            self.clock.begin(first)
 
     def end(self) -> None:
         """The run is over."""
         self.running = False
-        self.clock.book(self._sim.step, self._sim.dt)
+        if not self._timeless:
+            self.clock.book(self._sim.step, self._sim.dt)
 
     def time(self) -> float:
         """Simulated time at the current step."""
@@ -130,6 +134,8 @@ class Output:
         """Write everything at sim.step, the last one of a minimization, unless it was just written."""
         for dump in self.dumps.values():
             dump.write_due(sim)
+        if self.restarts is not None:
+            self.restarts.write_all(sim)
         if self._thermo_written != sim.step:
             sim.asking.block()
             self.thermo.line()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.model.atoms import Floats
+    from pylmp.model.compute import Compute
     from pylmp.model.fix import Fix
     from pylmp.model.simulation import Simulation
     from pylmp.text.words import Args
@@ -65,12 +67,20 @@ class Waiting:
         return values
 
     def offer(self, sim: Simulation, fix: Fix) -> None:
-        """A fix was defined: give it what is its own."""
+        """A fix was defined: give it what is its own. Raises ScriptError if that was kept by another kind of fix."""
         if (state := self.take(sim, fix.id, fix.style)) is not None:
-            fix.restore(sim, state)
-        own = fix.atom_state(sim)
-        if own is not None and (values := self.take_atoms(sim, fix.id, fix.style, own.shape[1])) is not None:
-            fix.restore_atoms(sim, values)
+            try:
+                fix.restore(sim, state)
+            except (struct.error, ValueError, OverflowError):
+                says, hint = f"Fix {fix.id} settings not consistent with restart", "the settings of the run that wrote the file"
+                raise ScriptError(says, hint=hint, manual="read_restart.html") from None
+        self.offer_atoms(sim, fix, fix.id, fix.style)
+
+    def offer_atoms(self, sim: Simulation, owner: Fix | Compute, identity: str, style: str) -> None:
+        """The same for what is kept with the atoms; identity, style: how LAMMPS calls what keeps it."""
+        own = owner.atom_state(sim)
+        if own is not None and (values := self.take_atoms(sim, identity, style, own.shape[1])) is not None:
+            owner.restore_atoms(sim, values)
 
     def drop(self, sim: Simulation) -> None:
         """The first set-up: say what nobody took."""

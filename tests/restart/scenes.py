@@ -89,6 +89,23 @@ SCENES: dict[str, tuple[str, str]] = {
     ),
     "sorting, ghosts": (setup("atom_modify sort 10 1.0\ncomm_modify cutoff 2.0 vel yes\ntimestep 0.002\n", style="atomic"), NVE),
 }  # fmt: skip
+SCENES |= {
+    "fix move": (setup("group few id 1:20\ngroup rest subtract all few\n", "atomic"), "fix 1 rest nve\nfix 2 few move wiggle 0.5 NULL 0.1 2.0 units box\n"),
+    "fix spring/self": (setup("group few id 1:20\n", "atomic"), NVE + "fix 2 few spring/self 10\n"),
+    "fix temp/rescale": (setup(style="atomic"), NVE + "fix 2 all temp/rescale 5 1.0 2.0 0.1 0.5\nfix 3 all temp/berendsen 1.0 1.0 0.5\nthermo_style custom step temp f_2 f_3\n"),
+    "fix store/state": (setup(style="atomic"), NVE + "fix 2 all store/state 0 x vy\ncompute s all reduce sum f_2[1] f_2[2]\nthermo_style custom step temp c_s[1] c_s[2]\n"),
+    "computes that remember": (
+        setup("group few id 1:20\n", "atomic"),
+        NVE + "compute m few msd com yes\ncompute d all displace/atom\ncompute v all vacf\ncompute s all reduce max c_d[4]\n"
+        "thermo_style custom step temp c_m[4] c_v[4] c_s\n",
+    ),
+    "who keeps what": (
+        setup("group few id 1:20\n", "atomic"),
+        "compute m few msd\n" + NVE + "fix 2 few spring/self 10\ncompute d all displace/atom\nfix 3 few move linear 0 0 0.1 units box\nunfix 3\n",
+    ),
+}  # fmt: skip
+SCENES["fix deform"] = (setup(style="atomic"), NVE + "fix 2 all deform 2 x erate 0.05 y scale 1.1 z trate 0.02 remap x\n")
+KEPT_OTHERWISE = {"fix deform"}  # LAMMPS stores what it then computes anew
 SCENES["two dimensions"] = (
     """units lj
 dimension 2

@@ -156,10 +156,11 @@ def _layout(source: Unpacker, in_pieces: bool) -> int:
         if flag != layout.FILES:
             source.fail("Invalid flag in layout section of restart file", f"flag {flag}")
         files = source.integer()
+    # LAMMPS has these two sentences the wrong way round.
     if files and not in_pieces:
-        source.fail("Restart file is a multi-proc file", "its name has a % where this one has base")
+        source.fail("Restart file is not a multi-proc file", "it is one of a set: its name has a % where this one has base")
     if in_pieces and not files:
-        source.fail("Restart file is not a multi-proc file")
+        source.fail("Restart file is a multi-proc file", "it stands alone: its name has no %")
     if not 0 <= files <= 1_000_000:
         source.fail(why=f"{files} files")
     return files

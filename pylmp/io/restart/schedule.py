@@ -17,7 +17,7 @@ _NEVER = 2**63 - 1
 
 
 class Series:
-    """names: one, which gets the step; or two in turn. every: steps between files, 0 if variable says. due: the next step."""
+    """names: one, which gets the step; or two in turn. every: steps between files, 0 if variable says, below 0: never. due: the next step."""
 
     def __init__(self, names: list[Word], every: int, variable: str) -> None:
         self.names = names
@@ -29,7 +29,7 @@ class Series:
     def set_due(self, sim: Simulation, first: bool) -> None:
         """The step of the next file after the current one."""
         if not self.variable:
-            self.due = (sim.step // self.every + 1) * self.every
+            self.due = (sim.step // self.every + 1) * self.every if self.every > 0 else _NEVER
             return
         style = Variables(sim).style(self.variable)
         if style is None:
@@ -39,8 +39,9 @@ class Series:
         sim.asking.block()
         self.due = int(Variables(sim).number(self.variable))
         if self.due <= sim.step:
+            versus = "<=" if len(self.names) == 2 and not first else "vs"
             raise ScriptError(
-                f"Restart variable returned a bad next timestep: {self.due} {'vs' if first else '<='} {sim.step}",
+                f"Restart variable returned a bad next timestep: {self.due} {versus} {sim.step}",
                 hint="a step to come, such as stride(0,1000,100)", manual="restart.html",
             )  # fmt: skip
         sim.asking.again(self.due)
@@ -73,6 +74,11 @@ class Restarts:
         """A run begins."""
         for series in self.all:
             series.set_due(sim, first=True)
+
+    def write_all(self, sim: Simulation) -> None:
+        """The last step of a minimization: write all there is."""
+        for series in self.all:
+            series.write(sim)
 
     def write(self, sim: Simulation) -> None:
         """Write what is due at this step."""
