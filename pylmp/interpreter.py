@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
-from typing import NoReturn
+from typing import NamedTuple, NoReturn
 
 from pylmp.kernels import disk
-from pylmp.model.registry import COMMANDS
+from pylmp.model.registry import COMMANDS, Command
 from pylmp.model.simulation import Simulation
 from pylmp.references.scope import Scope
 from pylmp.text import grammar
@@ -16,7 +17,7 @@ from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.grammar import Rejection, check, rules
 from pylmp.text.lines import Text, as_ascii, decode, logical_lines, plain
 from pylmp.text.span import Span
-from pylmp.text.substitute import split, substitute
+from pylmp.text.substitute import split, substitute, substitute_word, varies
 from pylmp.text.variables import Variables, immediate
 from pylmp.text.words import Args, Word
 
@@ -38,6 +39,34 @@ class Script:
             words = line.text.split("#")[0].split()
             if words[:1] == ["label"] and len(words) == 2:
                 self.labels.setdefault(words[1], number)
+
+
+class Ready(NamedTuple):
+    """The words of a line whose variables are replaced, its command (None: no such), and what its shape lacks."""
+
+    words: list[Word]
+    command: Command | None
+    rejection: Rejection | None
+
+
+def _prepare(words: list[Word]) -> Ready:
+    if not words:
+        return Ready(words, None, None)
+    name = words[0].text
+    command = COMMANDS.find(name) if name in rules() else None
+    return Ready(words, command, check(words) if command is not None else None)
+
+
+@lru_cache(4096)
+def _ready(line: Text) -> Ready | None:
+    """A line in which nothing is to be replaced, read once; None for others."""
+    if not line.text.isascii() or varies(line):
+        return None
+    return _prepare(split(substitute(line, _no_lookup)))
+
+
+def _no_lookup(key: str, is_formula: bool) -> str:
+    raise AssertionError(key)
 
 
 class Interpreter:
@@ -125,34 +154,33 @@ class Interpreter:
     def execute_line(self, line: Text) -> None:
         """Echo, substitute, split, check the shape, carry out."""
         self._echo(line.text)
-        typed = line
-        if not line.text.isascii():
-            line = self._as_ascii(line)
-        line = substitute(line, self._lookup, self._echo)
-        words = split(line)
-        if not words:
+        ready = _ready(line)
+        if ready is None:
+            text = line if line.text.isascii() else self._as_ascii(line)
+            ready = _prepare(split(substitute(text, self._lookup, self._echo)))
+        if not ready.words:
             return
-        owner = words[0]
-        command = COMMANDS.find(owner.text) if owner.text in rules() else None
+        owner, command = ready.words[0], ready.command
         if command is None:
-            self._unknown(typed, owner)
+            self._unknown(line, owner)
         if command.needs_box and not self.sim.has_box:
             raise ScriptError(
                 f"{command.name.capitalize()} command before simulation box is defined", owner.span,
                 hint="create_box or read_data comes first", manual=command.manual,
             )  # fmt: skip
-        rejection = check(words)
-        args = Args(command.name, words[1:], owner, command.manual)
+        args = Args(command.name, ready.words[1:], owner, command.manual)
         try:
             command.run(self.sim, args)  # of a line with the wrong shape it says what LAMMPS says
         except ScriptError as error:
             raise error.at(owner.span) from None
-        if rejection is not None:
-            complain(rejection, args)
+        if ready.rejection is not None:
+            complain(ready.rejection, args)
 
     def substitute_text(self, word: Word, echo: bool = False) -> str:
         """The text of a word with its references replaced: what print, if and string variables do with quoted words."""
-        return substitute(plain(word.text, inside(word)), self._lookup, self._echo if echo else None, "inner").text
+        if not echo:
+            return substitute_word(word.text, self._lookup, lambda: plain(word.text, inside(word)))
+        return substitute(plain(word.text, inside(word)), self._lookup, self._echo, "inner").text
 
     def _lookup(self, key: str, is_formula: bool) -> str:
         if is_formula:

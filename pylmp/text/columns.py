@@ -218,7 +218,7 @@ def evaluate_columns(text: str, scope: Scope, mode: str, rows: Any = None) -> Va
 def _draws(text: str, scope: Scope, seen: frozenset[str]) -> int:
     """How many random numbers one evaluation takes, those of the variables it names included."""
     count = 0
-    for step in program(text):
+    for step in program(text)[0]:
         if step.kind == "call" and step.text in ("random", "normal"):
             count += 1
         elif step.kind == "reference" and step.text[0] == "v" and not step.names and step.text not in seen:

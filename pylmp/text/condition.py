@@ -5,6 +5,8 @@ Two numbers compare as numbers, two words by == and != only.
 
 from __future__ import annotations
 
+import re
+from functools import lru_cache
 from typing import Any
 
 from lark import Token, Tree, UnexpectedInput
@@ -14,6 +16,7 @@ from pylmp.text.formula_error import FormulaError
 from pylmp.text.functions import compare
 from pylmp.text.grammar import parser
 
+_OPERANDS = re.compile(r"([A-Za-z][A-Za-z0-9_/]*)|[0-9.-][0-9.]*(?:[eE][-+]?[0-9]*)?")
 _SYNTAX = "Invalid Boolean syntax in if command"
 
 
@@ -23,25 +26,43 @@ class ConditionError(Exception):
 
 def holds(text: str) -> bool:
     """Whether a condition, all variables replaced, is true. Raises ConditionError."""
+    operands: list[str] = []
+
+    def blank(found: re.Match[str]) -> str:
+        operands.append(found[0])
+        return " a " if found[1] else " 0 "
+
     try:
-        tree: Any = parser("condition").parse(text)
+        steps = _steps(_OPERANDS.sub(blank, text))
     except UnexpectedInput:
         unclosed = text.count("(") > text.count(")")
         raise ConditionError("Invalid syntax in variable formula" if unclosed else _SYNTAX) from None
-    value = _value(tree)
-    if isinstance(value, str):
+    stack: list[float | str] = []
+    waiting = iter(operands)
+    for kind, sign, takes in steps:
+        first = len(stack) - takes
+        parts = stack[first:]
+        del stack[first:]
+        stack.append(_one(kind, sign if takes else next(waiting), parts))
+    if isinstance(stack[0], str):
         raise ConditionError("If command boolean cannot be single string")
-    return value != 0.0
+    return stack[0] != 0.0
 
 
-def _value(tree: Tree[Token]) -> float | str:
-    """Walks the tree from its leaves up, without recursion."""
-    values: dict[int, float | str] = {}
-    for node in tree.iter_subtrees():
-        parts = [values[id(child)] for child in node.children if isinstance(child, Tree)]
-        sign = next(str(child) for child in node.children if isinstance(child, Token))
-        values[id(node)] = _one(str(node.data), sign, parts)
-    return values[id(tree)]
+@lru_cache(1000)
+def _steps(shape: str) -> list[tuple[str, str, int]]:
+    """(kind, sign, how many values it takes) from the leaves up, for all conditions that differ in their words and numbers alone."""
+    steps: list[tuple[str, str, int]] = []
+    waiting: list[Any] = [parser("condition").parse(shape)]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Tree):
+            parts = [child for child in node.children if isinstance(child, Tree)]
+            sign = next(str(child) for child in node.children if isinstance(child, Token))
+            waiting += [(str(node.data), sign, len(parts)), *reversed(parts)]
+        else:
+            steps.append(node)
+    return steps
 
 
 def _one(kind: str, text: str, parts: list[float | str]) -> float | str:

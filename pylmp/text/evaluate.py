@@ -59,7 +59,7 @@ class Evaluator:
     def run(self, text: str) -> Value:
         """The value of a formula. Raises FormulaError or ScriptError that know their place in it."""
         stack, at = self.stack, 0
-        steps = program(text)
+        steps, numbers = program(text)
         step = steps[0]
         try:
             while at < len(steps):
@@ -68,6 +68,9 @@ class Evaluator:
                 kind = step.kind
                 if kind in ("else", "goto", "mark", "lazy"):
                     at = self.direct(step, at)
+                    continue
+                if kind == "number":
+                    stack.append(number(numbers[step.at]))
                     continue
                 first = len(stack) - step.takes
                 values = stack[first:]
@@ -85,8 +88,6 @@ class Evaluator:
 
     def value(self, step: Step, kind: str, values: list[Value]) -> Value:
         text = step.text
-        if kind == "number":
-            return number(text)
         if kind == "binary":
             return self.operate(text, values[0], values[1])
         if kind == "unary":

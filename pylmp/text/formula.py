@@ -17,6 +17,13 @@ from pylmp.text.functions import FUNCTIONS
 from pylmp.text.grammar import parser
 
 _LAZY = ("&&", "||")
+NAMED = (  # functions whose arguments are names
+    "count mass charge xcm vcm fcm bound gyration ke angmom torque inertia omega sum min max ave trap slope sort rsort gmask rmask "
+    "grmask next is_file is_os is_timeout extract_setting label2type is_typelabel is_active is_available is_defined"
+)  # fmt: skip
+_WORDS_AND_NUMBERS = re.compile(
+    rf"(?:{NAMED.replace(' ', '|')})\([^()]*\)|[A-Za-z]\w*(?:\[[^\[\]]*\])*|([0-9.]+(?:[eE][-+]?[0-9]*)?)", re.ASCII
+)
 _NUMBER = re.compile(r"\d+\.?\d*([eE][-+]?\d+)?|\.\d+([eE][-+]?\d+)?")
 
 
@@ -38,8 +45,30 @@ class Step(NamedTuple):
 
 
 @lru_cache(2000)
-def program(text: str) -> tuple[Step, ...]:
-    """A formula as steps in the order in which LAMMPS carries them out. Raises FormulaError."""
+def program(text: str) -> tuple[tuple[Step, ...], dict[int, str]]:
+    """A formula as steps in the order in which LAMMPS carries them out, and its numbers by their offset.
+
+    Formulas that differ in their numbers alone are parsed once. Raises FormulaError.
+    """
+    numbers: dict[int, str] = {}
+
+    def blank(found: re.Match[str]) -> str:
+        if found[1] is None:
+            return found[0]
+        numbers[found.start()] = found[0]
+        return "0" * len(found[0])
+
+    shape = _WORDS_AND_NUMBERS.sub(blank, text)
+    try:
+        return _steps(shape), numbers
+    except FormulaError as error:
+        if error.place:
+            error.place = (text, *error.place[1:])
+        raise
+
+
+@lru_cache(2000)
+def _steps(text: str) -> tuple[Step, ...]:
     try:
         tree: Any = parser("formula").parse(text)
     except UnexpectedInput as error:

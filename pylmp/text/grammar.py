@@ -7,7 +7,7 @@ import io
 import re
 import sys
 from collections.abc import Iterator, Sequence
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
@@ -17,6 +17,8 @@ from lark.lexer import Lexer
 from lark.load_grammar import load_grammar
 
 from pylmp.text.words import Word
+
+_MOST = 4096  # shapes of lines remembered for each command
 
 
 class Rejection(NamedTuple):
@@ -109,10 +111,24 @@ class Shape:
         fixed = {t.pattern.value: t.name for t in self._lark.terminals if t.pattern.type == "str"}
         loose = sorted((t for t in self._lark.terminals if t.pattern.type == "re"), key=lambda t: -t.priority)
         self._fixed: dict[str, str] = fixed
+        self._known: dict[tuple[str | int, ...], Rejection | None] = {}
         self._loose = [(t.name, re.compile(t.pattern.to_regexp())) for t in loose]
         self._names = {t.name: t.pattern.value if t.pattern.type == "str" else t.name.lower() for t in loose} | {
             name: text for text, name in fixed.items()
         }
+
+    def checked(self, texts: tuple[str, ...]) -> Rejection | None:
+        """As check. Words that no terminal tells apart are the same word, so that a loop's lines are looked at once."""
+        key = tuple(text if text in self._fixed else self._kinds(text) for text in texts)
+        if key not in self._known:
+            if len(self._known) > _MOST:
+                self._known.clear()
+            self._known[key] = self.check(texts)
+        return self._known[key]
+
+    def _kinds(self, text: str) -> int:
+        """Which loose terminals a word may be, as bits."""
+        return sum(1 << k for k, (_, pattern) in enumerate(self._loose) if pattern.fullmatch(text))
 
     def check(self, texts: Sequence[str]) -> Rejection | None:
         """Nothing if the words have the command's shape."""
@@ -153,11 +169,6 @@ def shape(name: str) -> Shape:
     return Shape(name)
 
 
-@lru_cache(8192)
-def _checked(texts: tuple[str, ...]) -> Rejection | None:
-    return shape(texts[0]).check(texts)
-
-
 def check(words: Sequence[Word]) -> Rejection | None:
     """Whether the words of a command, its name first, have the shape that the page gives it."""
-    return _checked(tuple(word.text for word in words))
+    return shape(words[0].text).checked(tuple(word.text for word in words))

@@ -12,6 +12,7 @@ from lark import Token, UnexpectedInput
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.grammar import line_table
 from pylmp.text.lines import Place, Text
+from pylmp.text.span import Span
 from pylmp.text.words import Word
 
 _SPECIAL = re.compile("[#\"'$]")
@@ -26,6 +27,25 @@ class Piece(NamedTuple):
     stop: int
     kind: str = "text"
     key: str = ""
+
+
+class PlacedWord(Word):
+    """A word of a line, which finds out where it stands when somebody asks."""
+
+    __slots__ = ("_end", "_line", "_start")
+
+    def __init__(self, text: str, span: Text | Span | None = None, quoted: bool = False, start: int = 0, stop: int = 0) -> None:
+        put = object.__setattr__
+        put(self, "text", text)
+        put(self, "quoted", quoted)
+        put(self, "_line", span)
+        put(self, "_start", start)
+        put(self, "_end", stop)
+
+    @property
+    def span(self) -> Span | None:
+        line: Text | Span | None = self._line  # type: ignore[attr-defined]
+        return line.span(self._start, self._end) if isinstance(line, Text) else line  # type: ignore[attr-defined]
 
 
 Lookup = Callable[[str, bool], str]
@@ -63,6 +83,31 @@ def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = 
                 places.append(Place(place.row, column, place.width))
             out += line.text[piece.start : piece.stop]
     return Text(line.file, out, tuple(starts) or (0,), tuple(places) or line.places[:1])
+
+
+def varies(line: Text) -> bool:
+    """A variable is to be replaced in it. Raises ScriptError for quotes without end."""
+    return "$" in line.text and any(piece.kind != "text" for piece in _pieces(line, "line"))
+
+
+def substitute_word(text: str, lookup: Lookup, placed: Callable[[], Text]) -> str:
+    """The text of a quoted word with its variables replaced. placed gives that text with its place, for an error."""
+    if not _SPECIAL.search(text):
+        return text
+    try:
+        pieces = _read(text, "inner")
+    except UnexpectedInput:
+        pieces = _pieces(placed(), "inner")
+    out = []
+    for start, stop, kind, key in pieces:
+        if kind == "text":
+            out.append(text[start:stop])
+        else:
+            try:
+                out.append(lookup(key, kind == "immediate"))
+            except ScriptError as error:
+                raise error.at(placed().span(start, stop)) from None
+    return "".join(out)
 
 
 def _pieces(line: Text, start: str) -> tuple[Piece, ...]:
@@ -131,16 +176,12 @@ def split(line: Text) -> list[Word]:
                     line.span(stop - 1, stop),
                     hint="a blank after the quote",
                 )
-            words.append(
-                Word(
-                    text[found.start(found.lastindex or 0) : found.end(found.lastindex or 0)], line.span(at, stop), True
-                )
-            )
+            words.append(PlacedWord(found[found.lastindex or 0], line, True, at, stop))
         else:
             if text[at] in _QUOTES:
                 quote = '"""' if text.startswith('"""', at) else text[at]
                 raise ScriptError(
                     "Unbalanced quotes in input line", line.span(at, at + 1), hint=f"a second {quote} ends the text"
                 )
-            words.append(Word(found[4], line.span(at, stop)))
+            words.append(PlacedWord(found[4], line, False, at, stop))
         at = stop
