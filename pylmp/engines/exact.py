@@ -20,6 +20,7 @@ from pylmp.model.fix import STEP_HOOKS, hooks
 from pylmp.model.ghosts import Ghosts, ghost_cutoff
 from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
 from pylmp.model.minimize import MinPlan, MinReport
+from pylmp.model.occasional import Occasional
 from pylmp.model.scene import Scene
 from pylmp.model.simulation import Simulation
 from pylmp.model.sorting import Sorter
@@ -60,7 +61,8 @@ class Run:
         self.breaks = sim.breaks = sim.breaks if isinstance(sim.breaks, Breaks) else Breaks()
         before = sim.bond_lists  # of an earlier run: they know what bonds remember since the last copy
         self.forces = ForceField(sim, self.ghosts)
-        self.forces.prepare(sim)
+        self.occasional = Occasional(sim, self.forces.neighbors)
+        self.forces.prepare(sim, self.occasional.functions())
         for listed in before:
             listed.copy_back(sim)
         sim.bond_lists = self.forces.bonds
@@ -200,6 +202,7 @@ class Run:
             warn_image_flags(sim)
             warn_small_box(sim)
         self.forces.rebuild(sim, cutoff)
+        self.occasional.forget()
         self.refresh = self.ghosts.bind_refresh(sim)
         self.reverse = self.ghosts.bind_reverse(sim)
         self.ago = 0
@@ -241,6 +244,7 @@ class Run:
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections,
             neighbors=self.forces.neighbors.count if self.forces.neighbors else 0, ghosts=sim.atoms.ghosts,
             builds=self.builds, dangerous=self.dangerous, interrupted=self.stop,
+            full_neighbors=self.occasional.full_count,
         )  # fmt: skip
         return report, result
 

@@ -49,9 +49,9 @@ class ForceField:
         self._held_box = sim.box.corners()
         self._limit2 = 0.0
 
-    def prepare(self, sim: Simulation) -> None:
-        """Compile what the store does not have, all at once."""
-        functions = [*self.ghosts.functions(), self._moved]
+    def prepare(self, sim: Simulation, more: list[Function]) -> None:
+        """Compile what the store does not have, all at once, more included."""
+        functions = [*self.ghosts.functions(), self._moved, *more]
         if self.neighbors:
             functions += self.neighbors.functions()
         functions += self._pairs.functions()

@@ -7,29 +7,48 @@ from dataclasses import dataclass
 
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.simulation import Simulation
+from pylmp.model.wish import Wish
 from pylmp.text.number import eight
 
 
 @dataclass(frozen=True)
 class Request:
-    """One list somebody asked for. who: "pair lj/cut" or "command create_bonds"."""
+    """One list somebody asked for. who: "pair lj/cut", "compute rdf" or "command create_bonds".
+
+    copy     it is the list with this number
+    cutoff   how far, if not as far as the pair style reaches
+    """
 
     who: str
     full: bool = False
     occasional: bool = False
+    copy: int = 0
+    cutoff: float = 0.0
 
 
 def announce(sim: Simulation, *requests: Request) -> None:
-    """Describe the neighbor lists, those of requests before the pair style's; warn of a box thinner than the skin."""
+    """Describe the neighbor lists: of requests, the pair style's, of computes; warn of a box thinner than the skin."""
     if sim.pair is not None:
-        _lists(sim, (*requests, Request(f"pair {sim.pair.name}")))
+        own = (*requests, Request(f"pair {sim.pair.name}"))
+        _lists(sim, (*own, *_of_computes(sim, len(own))))
     if (sim.box.length < sim.neighbor.skin)[: sim.dimension].any():
         sim.console.warning("Proc sub-domain size < neighbor skin, could lead to lost atoms")
 
 
+def _of_computes(sim: Simulation, own: int) -> list[Request]:
+    """What computes ask for; own: the number of the pair style's list."""
+    result = []
+    for compute in sim.computes.values():
+        wish = compute.wish(sim)
+        if wish is not None:
+            copy = own if wish == Wish() else 0
+            result.append(Request(f"compute {compute.style}", wish.full, True, copy, wish.cutoff))
+    return result
+
+
 def _lists(sim: Simulation, requests: tuple[Request, ...]) -> None:
     """Print `Neighbor list info ...`, unless the same lists were announced before; a command's list is new each time."""
-    if sim.announced == requests and not any(request.occasional for request in requests):
+    if sim.announced == requests and not any(request.who.startswith("command") for request in requests):
         return
     sim.announced = requests
     cutoff = sim.neighbor_cutoff
@@ -68,10 +87,12 @@ def _describe(sim: Simulation, number: int, request: Request) -> list[str]:
         build, stencil = f"half/bin/{only}newton{tilted}", f"half/bin/{sim.dimension}d{tilted}"
     else:
         build, stencil = f"half/bin/{only}newtoff", f"full/bin/{sim.dimension}d"
+    copy = f", copy from ({request.copy})" if request.copy else ""
+    cut = f", cut {eight(request.cutoff)}" if request.cutoff else ""
     return [
-        f"  ({number}) {request.who}, {'occasional' if request.occasional else 'perpetual'}",
-        f"      attributes: {'full' if request.full else 'half'}, newton {newton}",
-        f"      pair build: {build}",
-        f"      stencil: {stencil}",
-        "      bin: standard",
+        f"  ({number}) {request.who}, {'occasional' if request.occasional else 'perpetual'}{copy}",
+        f"      attributes: {'full' if request.full else 'half'}, newton {newton}{cut}",
+        f"      pair build: {'copy' if copy else build}",
+        f"      stencil: {'none' if copy else stencil}",
+        f"      bin: {'none' if copy else 'standard'}",
     ]

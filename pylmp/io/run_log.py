@@ -98,12 +98,17 @@ def _timings(sim: Simulation, report: RunReport) -> str:
 def _neighbors(sim: Simulation, report: RunReport) -> str:
     atoms = sim.atoms.n
     text = ""
-    for name, count in (("Nlocal:", atoms), ("Nghost:", report.ghosts), ("Neighs:", report.neighbors)):
+    counts = [("Nlocal:", atoms), ("Nghost:", report.ghosts), ("Neighs:", report.neighbors)]
+    neighbors = report.neighbors
+    if report.full_neighbors is not None:
+        neighbors = report.full_neighbors
+        counts.append(("FullNghs:", neighbors))
+    for name, count in counts:
         value = eight(count)
-        text += f"{name}    {value:>11} ave {value:>11} max {value:>11} min\nHistogram: 1 0 0 0 0 0 0 0 0 0\n"
-    text += f"\nTotal # of neighbors = {report.neighbors}\n"
+        text += f"{name:<8}   {value:>11} ave {value:>11} max {value:>11} min\nHistogram: 1 0 0 0 0 0 0 0 0 0\n"
+    text += f"\nTotal # of neighbors = {neighbors}\n"
     if atoms:
-        text += f"Ave neighs/atom = {eight(report.neighbors / atoms)}\n"
+        text += f"Ave neighs/atom = {eight(neighbors / atoms)}\n"
         if sim.has_bonds:
             special = int(sim.atoms.num_special[:atoms, 2].sum())
             text += f"Ave special neighs/atom = {eight(special / atoms)}\n"

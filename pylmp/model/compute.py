@@ -13,6 +13,7 @@ from pylmp.model.fix import BIRTHS
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
+    from pylmp.model.wish import Wish
     from pylmp.text.words import Args
 
 KINDS = ("scalar", "vector", "array", "per_atom", "local")
@@ -30,7 +31,8 @@ class Compute:
     Consumers call current(sim, compute, kind), so that it is evaluated once in a block (model/asking.py). Calling a method
     evaluates anew; both note the step and the value.
 
-    extensive_scalar, extensive_vector  thermo divides them by the number of atoms when norm is on
+    extensive_scalar extensive_vector extensive_array  thermo divides them by the number of atoms when norm is on
+    varying    the length of its vector, the rows of its array may change
     tallies    what the engine must sum on the steps that ask for it: ENERGY | VIRIAL | ATOM_ENERGY | ATOM_VIRIAL
     extra_dof dynamic   as compute_modify said: degrees of freedom taken off, whether they are counted at every evaluation
     invoked    kind -> (step, value) of the last evaluation of this run
@@ -40,6 +42,8 @@ class Compute:
     style: ClassVar[str] = ""
     extensive_scalar = False
     extensive_vector = False
+    extensive_array = False
+    varying = False
     tallies = 0
     extra_dof = 0.0
     dynamic = False
@@ -73,6 +77,10 @@ class Compute:
 
     def restore_atoms(self, sim: Simulation, values: NDArray[np.float64]) -> None:
         """Go on from values (n, k)."""
+
+    def wish(self, sim: Simulation) -> Wish | None:
+        """The neighbor list it uses, None for none."""
+        return None
 
     def setup(self, sim: Simulation) -> None:
         """Called in the set-up of every run, once the forces are known."""

@@ -28,7 +28,7 @@ class RunPlan:
 
 @dataclass
 class RunReport:
-    """What the log says after a run: seconds by section, neighbor counts."""
+    """What the log says after a run: seconds by section, neighbor counts; full_neighbors: of a full list, None without one."""
 
     steps: int
     seconds: float
@@ -38,6 +38,7 @@ class RunReport:
     builds: int
     dangerous: int
     interrupted: bool = False
+    full_neighbors: int | None = None
 
 
 class Engine(Protocol):

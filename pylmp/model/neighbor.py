@@ -108,14 +108,18 @@ class Grid:
 
 
 class NeighborList:
-    """first (n + 1,) int64, neighbors int32: row i's entries are neighbors[first[i]:first[i+1]]."""
+    """first (n + 1,) int64, neighbors int32: row i's entries are neighbors[first[i]:first[i+1]].
 
-    def __init__(self, sim: Simulation, mode: str) -> None:
+    cutoff: how far neighbors are listed, whatever their types; 0.0: as the pair style says, and the skin
+    """
+
+    def __init__(self, sim: Simulation, mode: str, cutoff: float = 0.0) -> None:
         self.mode = mode
+        self.cutoff = cutoff
         kinds = policy(sim)
         weighted = sim.has_bonds and any(kind != ORDINARY for kind in kinds)
         self.policy = np.array(kinds, np.int64)
-        one_cutoff = bool((sim.pair.cut[1:, 1:] == sim.pair.cut[1, 1]).all())
+        one_cutoff = cutoff > 0.0 or bool((sim.pair.cut[1:, 1:] == sim.pair.cut[1, 1]).all())
         self._bins = loops.bins(sim.dimension)
         if mode == loops.HALF and sim.box.triclinic:
             self.mode = loops.HALF_TRICLINIC
@@ -151,6 +155,8 @@ class NeighborList:
             )
         skin = sim.neighbor.skin
         cut2 = np.where(sim.pair.cut > 0.0, (sim.pair.cut + skin) * (sim.pair.cut + skin), -1.0)
+        if self.cutoff > 0.0:
+            cut2[:] = self.cutoff * self.cutoff
         halves = 0.5 * box.length
         if len(self.first) != atoms.n + 1:
             self.first = np.zeros(atoms.n + 1, np.int64)
@@ -168,9 +174,10 @@ class NeighborList:
 
     def _geometry(self, sim: Simulation, ghost_cutoff: float) -> tuple[Grid, np.ndarray[tuple[int], np.dtype[np.int64]]]:
         box = sim.box
-        key = (*map(float, (*box.lo, *box.hi, *box.tilt)), sim.neighbor_cutoff, ghost_cutoff)
+        reach = self.cutoff or sim.neighbor_cutoff
+        key = (*map(float, (*box.lo, *box.hi, *box.tilt)), reach, ghost_cutoff)
         if self._grid is None or self._grid[0] != key:
-            grid = Grid(sim, sim.neighbor_cutoff, ghost_cutoff)
+            grid = Grid(sim, reach, ghost_cutoff)
             self._grid = key, grid, grid.stencil(self.mode == loops.HALF)
         return self._grid[1], self._grid[2]
 

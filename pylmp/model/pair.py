@@ -134,9 +134,11 @@ class Pair:
         """The parts that have a law."""
         return [part for part in self.parts if part.law is not None]
 
-    def single(self, r2: Floats, dot: Floats, first: Ints, second: Ints) -> tuple[Floats, Floats]:
-        """(force over r, energy) of pairs of atoms of types first and second, each alone, without special weights."""
-        return evaluate(self.working, r2, dot, first, second)
+    def single(
+        self, r2: Floats, dot: Floats, first: Ints, second: Ints, factor: Floats | float = 1.0
+    ) -> tuple[Floats, Floats]:
+        """(force over r, energy) of pairs of atoms of types first and second, each alone; factor: their special weights."""
+        return evaluate(self.working, r2, dot, first, second, factor)
 
     def coeff(self, args: Args) -> None:
         """pair_coeff: two type ranges, under hybrid the style's name, then the style's words."""

@@ -12,7 +12,9 @@ from pylmp.model.atoms import Floats, Ints
 
 if TYPE_CHECKING:
     from pylmp.kernels.kinds import Function
+    from pylmp.model.occasional import Pairs
     from pylmp.model.pair import PairPart
+    from pylmp.model.simulation import Simulation
 
 
 @dataclass(frozen=True)
@@ -65,13 +67,25 @@ def _then(before: Function, alone: Function, load: Function, offset: int) -> Fun
     return law
 
 
-def evaluate(parts: list[PairPart], r2: Floats, dot: Floats, first: Ints, second: Ints) -> tuple[Floats, Floats]:
-    """(force over r, energy) of many pairs of atoms of types first and second, without special weights."""
+def evaluate(
+    parts: list[PairPart], r2: Floats, dot: Floats, first: Ints, second: Ints, factor: Floats | float
+) -> tuple[Floats, Floats]:
+    """(force over r, energy) of many pairs of atoms of types first and second; factor: their special weights."""
     force, energy = np.zeros(len(r2)), np.zeros(len(r2))
     for part in parts:
         columns = (*part.table[first, second].T, *((part.data,) if part.style.data is not None else ()))
         with np.errstate(all="ignore"):
-            more_force, more_energy = part.alone(r2, dot, 1.0, columns)
+            more_force, more_energy = part.alone(r2, dot, factor, columns)
         force += more_force
         energy += more_energy
+    return force, energy
+
+
+def weighted(sim: Simulation, pairs: Pairs) -> tuple[Floats, Floats]:
+    """(force over r, energy) of listed pairs, each alone, with their special weights."""
+    atoms = sim.atoms
+    apart = atoms.v[pairs.i] - atoms.v[pairs.j]
+    dot = pairs.d[:, 0] * apart[:, 0] + pairs.d[:, 1] * apart[:, 1] + pairs.d[:, 2] * apart[:, 2]
+    factor = np.array([1.0, *sim.special.lj])[pairs.kind]
+    force, energy = sim.pair.single(pairs.r2, dot, atoms.type[pairs.i], atoms.type[pairs.j], factor)
     return force, energy

@@ -28,9 +28,9 @@ ELSEWHERE = {
     "temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
     "wall/srd widom",
     "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom chunk/atom chunk/spread/atom cluster/atom "
-    "cna/atom com/chunk contact/atom coord/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
-    "event/displace fragment/atom gyration/chunk group/group heat/flux hexorder/atom improper/local inertia/chunk  "
-    "msd/chunk msd/nongauss nbond orientorder/atom pair pair/local pressure/cylinder property/chunk rdf "
+    "cna/atom com/chunk contact/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
+    "event/displace fragment/atom gyration/chunk heat/flux hexorder/atom improper/local inertia/chunk  "
+    "msd/chunk msd/nongauss nbond orientorder/atom pressure/cylinder property/chunk  "
     "reduce/chunk slice stress/mop temp/asphere temp/chunk temp/deform temp/profile "
     "temp/ramp temp/rotate temp/sphere torque/chunk vcm/chunk voronoi/atom xrd",
     "dump": "dcd grid grid/vtk h5md molfile netcdf netcdf/mpiio vtk xtc",

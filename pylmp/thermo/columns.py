@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from pylmp.model.reference import Reference, length, offers, parse
+from pylmp.model.reference import Reference, offers, parse
 from pylmp.model.variables import EQUAL_STYLES
 from pylmp.text.words import Args, Word
 from pylmp.thermo.keywords import KEYWORDS
@@ -49,24 +49,23 @@ def _hint(text: str) -> str:
 
 
 def _measured(thermo: Thermo, args: Args, word: Word, found: Reference) -> Callable[[Thermo], float]:
-    """A scalar or a vector component of a compute or fix."""
+    """A scalar, a component of a vector or an element of an array of a compute or fix."""
     sim, what, name = thermo.sim, found.what, found.name
     source = found.source(sim)
     if source is None:
         args.fail(f"Could not find thermo custom {what} ID: {name}", word)
-    if len(found.index) == 2:
-        args.fail(f"Thermo custom {what} {name} does not compute an array", word)
-    values = "vector" if found.index else "scalar"
+    values = ("scalar", "vector", "array")[len(found.index)]
     if not offers(source, values):
         hint = f"{word.text}[1]" if values == "scalar" and offers(source, "vector") else ""
-        args.fail(f"Thermo custom {what} {name} does not compute a {values}", word, hint=hint)
-    if not found.index:
-        return lambda t: t.measure(found, "scalar")
-    at = found.index[0]
-    size = length(sim, source, "vector")
-    if not 1 <= at <= size:
-        args.fail(f"Thermo custom {what} {name} vector is accessed out-of-range", word, hint=f"1 to {size}")
-    return lambda t: t.measure(found, "vector", at - 1)
+        article = "an" if values == "array" else "a"
+        args.fail(f"Thermo custom {what} {name} does not compute {article} {values}", word, hint=hint)
+    at = tuple(k - 1 for k in found.index)
+    if at:
+        sizes = [source.length] if values == "vector" else [source.length, source.columns]
+        varying = getattr(source, "varying", False)
+        if any(k < 0 or (k >= size and not (varying and n == 0)) for n, (k, size) in enumerate(zip(at, sizes, strict=True))):
+            args.fail(f"Thermo custom {what} {name} {values} is accessed out-of-range", word, hint=f"1 to {sizes}")
+    return lambda t: t.measure(found, values, at)
 
 
 def _variable(thermo: Thermo, args: Args, word: Word, found: Reference) -> Callable[[Thermo], float]:

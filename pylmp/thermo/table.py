@@ -59,13 +59,19 @@ class Thermo:
 
     # ---- what values are made of ----------------------------------------------------------------------------
 
-    def measure(self, found: Reference, values: str, at: int | None = None) -> float:
-        """A scalar, or component at of a vector, of a compute or fix, per atom where it is extensive and norm is on."""
+    def measure(self, found: Reference, values: str, at: tuple[int, ...]) -> float:
+        """A scalar, a component of a vector or an element of an array, of a compute or fix, per atom where it is extensive and norm
+        is on. at: where, from 0; 0.0 beyond the end of what varies in length.
+        """
         result = current(self.sim, found.source(self.sim), values)
-        number = float(result) if at is None else (float(result[at]) if at < len(result) else 0.0)
+        for k in at:
+            if k >= len(result):
+                return 0.0
+            result = result[k]
+        number = float(result)
         extensive = getattr(found.source(self.sim), f"extensive_{values}", False)
         if isinstance(extensive, tuple):  # each component has its own answer
-            extensive = at is not None and extensive[at]
+            extensive = extensive[at[0]]
         return self.per_atom(number) if extensive else number
 
     def temperature(self) -> float:
