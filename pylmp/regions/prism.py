@@ -36,7 +36,7 @@ class Prism(Region):
         if flat is not None:
             args.fail(says, words[2 * flat], hint="the lower bound comes first")
         low, high = self.low.tolist(), self.high.tolist()
-        endless = [abs(low[d]) == BIG or abs(high[d]) == BIG for d in range(3)]
+        endless = [low[d] == -BIG and high[d] == BIG for d in range(3)]
         for name, tilt, place in zip(("xy", "xz", "yz"), self._tilts, (6, 7, 8), strict=True):
             for axis in name:
                 if tilt.value != 0.0 and endless["xyz".index(axis)]:
