@@ -1,4 +1,4 @@
-"""neighbor SKIN bin"""
+"""neighbor SKIN bin|nsq"""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ def neighbor(sim: Simulation, args: Args) -> None:
     skin = args.as_number(word)
     if skin < 0.0:
         args.fail(f"Invalid neighbor argument: {shortest(skin)}", word, hint="zero or more")
-    if style.text in ("nsq", "multi", "multi/old"):
+    if style.text in ("multi", "multi/old"):
         raise Unsupported(f"LAMMPS has neighbor {style.text}, pylmp's native engines do not", style.span, hint="bin")
-    if style.text != "bin":
-        args.fail(f"Unknown neighbor {shortest(skin)} argument: {style.text}", style, hint="bin")
-    sim.neighbor.skin = skin
+    if style.text not in ("bin", "nsq"):
+        args.fail(f"Unknown neighbor {shortest(skin)} argument: {style.text}", style, hint="bin or nsq")
+    sim.neighbor.skin, sim.neighbor.style = skin, style.text

@@ -166,7 +166,7 @@ class Run:
         if any(fix.next_rebuild == sim.step for fix in sim.fixes):
             return True
         self.ago += 1
-        if self.ago < settings.delay or self.ago % settings.every:
+        if settings.once or self.ago < settings.delay or self.ago % settings.every:
             return False
         if not settings.check:
             return True

@@ -56,7 +56,7 @@ def _lists(sim: Simulation, requests: tuple[Request, ...]) -> None:
         return
     settings = sim.neighbor
     reach = ghost_cutoff(sim, warn=True)
-    size = 0.5 * cutoff
+    size = settings.bin_size or 0.5 * cutoff
     low, high = sim.box.bounds
     lengths = high - low
     bins = " ".join(str(math.ceil(float(length) / size)) for length in lengths)
@@ -69,7 +69,7 @@ def _lists(sim: Simulation, requests: tuple[Request, ...]) -> None:
         f"  max neighbors/atom: {settings.one}, page size: {settings.page}",
         f"  master list distance cutoff = {eight(cutoff)}",
         f"  ghost atom cutoff = {eight(reach)}",
-        f"  binsize = {eight(size)}, bins = {bins}",
+        *([f"  binsize = {eight(size)}, bins = {bins}"] if settings.style == "bin" else []),
         f"  {count} neighbor lists, perpetual/occasional/extra = {count - occasional} {occasional} 0",
     ]
     for number, request in enumerate(requests, 1):
@@ -87,6 +87,9 @@ def _describe(sim: Simulation, number: int, request: Request) -> list[str]:
         build, stencil = f"half/bin/{only}newton{tilted}", f"half/bin/{sim.dimension}d{tilted}"
     else:
         build, stencil = f"half/bin/{only}newtoff", f"full/bin/{sim.dimension}d"
+    grid = "standard"
+    if sim.neighbor.style == "nsq":
+        build, stencil, grid = build.replace("/bin", "/nsq").replace("/atomonly", ""), "none", "none"
     copy = f", copy from ({request.copy})" if request.copy else ""
     cut = f", cut {eight(request.cutoff)}" if request.cutoff else ""
     return [
@@ -94,5 +97,5 @@ def _describe(sim: Simulation, number: int, request: Request) -> list[str]:
         f"      attributes: {'full' if request.full else 'half'}, newton {newton}{cut}",
         f"      pair build: {'copy' if copy else build}",
         f"      stencil: {'none' if copy else stencil}",
-        f"      bin: {'none' if copy else 'standard'}",
+        f"      bin: {'none' if copy else grid}",
     ]

@@ -36,6 +36,7 @@ def warn_motionless(sim: Simulation) -> None:
 def check_neighbor_settings(sim: Simulation) -> None:
     """Raise ScriptError where neigh_modify's numbers do not fit together."""
     settings = sim.neighbor
+    settings.exclude.check(sim)
     if settings.delay > 0 and settings.delay % settings.every:
         raise ScriptError(
             "Neighbor delay must be 0 or multiple of every setting", manual="neigh_modify.html",

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.kernels.exact import INDEX_MASK
 from pylmp.kernels.exact import neighbor as loops
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.store import kernel
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 _SMALL = 1.0e-6  # of the box length: how far beyond the ghosts the grid reaches
 _MANY = 2**31 - 1  # LAMMPS counts bins in 32 bits
+_ENDLESS = np.full(3, -1.0e300), np.full(3, 1.0e300)  # a box for everybody
 _FLAT = 100.0  # bins, as large as they should be, that would fit into the neighbor cutoff of a box that flat
 EXCLUDE, ORDINARY, FLAGGED = 0, 1, 2
 
@@ -44,8 +46,9 @@ class Grid:
         count, low, size, reach = [1, 1, 1], [-1, -1, -1], [3, 3, 3], [0, 0, 0]
         self.width = [1.0, 1.0, 1.0]
         inverse = [1.0, 1.0, 1.0]
-        per_bin = 1.0 / (0.5 * cutoff)
-        if (0.5 * cutoff / (highs - lows) > _FLAT).any():
+        bin_size = sim.neighbor.bin_size or 0.5 * cutoff
+        per_bin = 1.0 / bin_size
+        if (bin_size / (highs - lows) > _FLAT).any():
             page = "Errors_details.html#err0015"
             raise ScriptError("Cannot use neighbor bins - box size << cutoff", hint="a thicker box", manual=page)
         for d in range(sim.dimension):
@@ -107,6 +110,18 @@ class Grid:
         return gaps[0] * gaps[0] + gaps[1] * gaps[1] + gaps[2] * gaps[2]
 
 
+class OneBin(Grid):
+    """A grid of a single bin."""
+
+    def __init__(self, sim: Simulation, cutoff: float, ghost_cutoff: float) -> None:
+        self.numbers = np.array([1, 1, 1, 0, 0, 0, 1, 1, 2], np.int64)  # two layers: in two dimensions atoms are in the second
+        self.inverse = np.zeros(3)
+        self.bins = 2
+
+    def stencil(self, half: bool) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+        return np.array([1, 0, 0], np.int64)
+
+
 class NeighborList:
     """first (n + 1,) int64, neighbors int32: row i's entries are neighbors[first[i]:first[i+1]].
 
@@ -121,9 +136,11 @@ class NeighborList:
         self.policy = np.array(kinds, np.int64)
         one_cutoff = cutoff > 0.0 or bool((sim.pair.cut[1:, 1:] == sim.pair.cut[1, 1]).all())
         self._bins = loops.bins(sim.dimension)
-        if mode == loops.HALF and sim.box.triclinic:
+        self._all_pairs = sim.neighbor.style == "nsq"  # as one bin for everybody, in which ghosts are told apart as in tilted boxes
+        if mode == loops.HALF and (sim.box.triclinic or self._all_pairs):
             self.mode = loops.HALF_TRICLINIC
-        self._list = loops.listing(self.mode, one_cutoff, weighted, sim.box.periodic, 0.01 * sim.units.angstrom)
+        near = 0.01 * sim.units.angstrom if sim.box.triclinic else 0.0
+        self._list = loops.listing(self.mode, one_cutoff, weighted, sim.box.periodic, near)
         self.first = np.zeros(1, np.int64)
         self.neighbors = np.zeros(1024, np.int32)
         self._grid: tuple[tuple[float, ...], Grid, np.ndarray[tuple[int], np.dtype[np.int64]]] | None = None
@@ -143,7 +160,7 @@ class NeighborList:
         grid, rows = self._geometry(sim, ghost_cutoff)
         bin_of, member, at, place = self._fit(atoms.capacity, grid.bins)
         lost = kernel(self._bins).bind(
-            atoms.x, *box.bounds, grid.inverse, grid.numbers, bin_of, self._start, member, at, atoms.total
+            atoms.x, *(_ENDLESS if self._all_pairs else box.bounds), grid.inverse, grid.numbers, bin_of, self._start, member, at, atoms.total
         )()
         if lost < 0.0:
             row = int(-1.0 - lost)
@@ -169,15 +186,25 @@ class NeighborList:
             if entries >= 0.0:
                 break
             self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
+        if sim.neighbor.exclude:
+            self._exclude(sim)
         if atoms.n and int(np.diff(self.first).max()) > sim.neighbor.one:
             raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
+
+    def _exclude(self, sim: Simulation) -> None:
+        n = sim.atoms.n
+        rows = np.repeat(np.arange(n), np.diff(self.first))
+        entries = self.neighbors[: self.count]
+        keep = ~sim.neighbor.exclude.drop(sim, rows, (entries & INDEX_MASK).astype(np.int64))
+        self.neighbors[: int(keep.sum())] = entries[keep]
+        self.first[1:] = np.cumsum(np.bincount(rows[keep], minlength=n))
 
     def _geometry(self, sim: Simulation, ghost_cutoff: float) -> tuple[Grid, np.ndarray[tuple[int], np.dtype[np.int64]]]:
         box = sim.box
         reach = self.cutoff or sim.neighbor_cutoff
         key = (*map(float, (*box.lo, *box.hi, *box.tilt)), reach, ghost_cutoff)
         if self._grid is None or self._grid[0] != key:
-            grid = Grid(sim, reach, ghost_cutoff)
+            grid: Grid = (OneBin if self._all_pairs else Grid)(sim, reach, ghost_cutoff)
             self._grid = key, grid, grid.stencil(self.mode == loops.HALF)
         return self._grid[1], self._grid[2]
 

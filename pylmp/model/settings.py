@@ -7,19 +7,27 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pylmp.model.atoms import Floats
+from pylmp.model.exclusions import Exclusions
 from pylmp.model.mixing import GEOMETRIC
 
 
 @dataclass
 class NeighborSettings:
-    """neighbor and neigh_modify."""
+    """neighbor and neigh_modify. style: bin, or nsq (all pairs are looked at). once: lists are built at set-up only.
+
+    bin_size    of a bin; 0: half the neighbor cutoff
+    """
 
     skin: float = 0.3
+    style: str = "bin"
     every: int = 1
     delay: int = 0
     check: bool = True
     one: int = 2000
     page: int = 100000
+    once: bool = False
+    bin_size: float = 0.0
+    exclude: Exclusions = field(default_factory=Exclusions)
 
 
 @dataclass
