@@ -5,6 +5,9 @@ the thermo table, in dumps, in the answers of commands. Lines at its top:
 
     # covers: fix wall/lj93, fix wall/lj126     what docs/coverage.md points here from
     # differs: ...                              only where a documented departure is left, in words
+    # restart: ...                              why the restart files that the programs write at its end are not equal
+
+At the end of each deck both programs write a restart file: its bytes too must be equal.
 """
 
 from __future__ import annotations
@@ -28,6 +31,9 @@ def test_identical(deck: Path, tmp_path: Path) -> None:
     """Files that a deck reads stand beside it and begin with its name."""
     for path in deck.parent.glob(f"{deck.stem}.*"):
         shutil.copy2(path, tmp_path)
+    text = deck.read_text()
+    if "\n# restart: " not in text:
+        (tmp_path / deck.name).write_text(f"{text}\nwrite_restart left.restart\n")
     report = diff(tmp_path / deck.name)
     assert report["verdict"] == "identical", failures(report)
     assert sum(part["cells"] for part in report["parts"]) > 0
