@@ -194,7 +194,7 @@ class Run:
             if setup or sim.step >= self.sorter.next:
                 self.sorter.sort(sim)
         self.timers.stamp("Comm")
-        cutoff = ghost_cutoff(sim)
+        cutoff = ghost_cutoff(sim, warn=sim.box.changing and not setup)
         self.ghosts.build(sim, cutoff)
         sim.box.leave(atoms.x[: atoms.total])
         self.timers.stamp("Comm")
