@@ -8,7 +8,6 @@ from collections.abc import Callable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.temperature import Temperature
-from pylmp.text.diagnostic import Unsupported
 from pylmp.text.printf import Format
 from pylmp.text.words import Args, Word
 from pylmp.thermo.layout import LAYOUTS
@@ -23,13 +22,12 @@ def thermo_modify(sim: Simulation, args: Args) -> None:
     args.need(1)
     while len(args):
         key = args.word()
-        if key.text in ("line/colname", "triclinic/general"):
-            raise Unsupported(f"LAMMPS has thermo_modify {key.text}, pylmp's native engines do not", key.span)
         setting = _SETTINGS.get(key.text)
         if setting is None:
             args.fail(f"Unknown thermo_modify keyword: {key.text}", key, hint=" ".join(_SETTINGS))
         if not len(args):
-            args.fail(f"Illegal thermo_modify {key.text} command: missing argument(s)", key)
+            name = key.text.replace("triclinic", "tricinic")  # LAMMPS's own spelling
+            args.fail(f"Illegal thermo_modify {name} command: missing argument(s)", key)
         setting(sim, sim.output.thermo, args)
         sim.output.thermo.modified = True
 
@@ -165,7 +163,14 @@ def _read(args: Args, word: Word, text: str) -> Format:
     return result
 
 
+def _general(sim: Simulation, thermo: Thermo, args: Args) -> None:
+    word = args.peek()
+    if args.yes():
+        text = "Thermo_modify triclinic/general cannot be used if simulation box is not general triclinic"
+        args.fail(text, word, hint="triclinic/general no")
+
+
 _SETTINGS: dict[str, Callable[[Simulation, Thermo, Args], None]] = {
     "norm": _norm, "flush": _flush, "format": _format, "lost": _lost, "lost/bond": _lost_bond, "line": _line,
-    "warn": _warn, "colname": _colname, "temp": _temp, "press": _press,
+    "warn": _warn, "colname": _colname, "temp": _temp, "press": _press, "triclinic/general": _general,
 }  # fmt: skip

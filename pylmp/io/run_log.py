@@ -16,6 +16,8 @@ from pylmp.model.minimize import MinReport
 from pylmp.model.simulation import Simulation
 from pylmp.text.number import eight
 
+# a unit of time in nanoseconds; of electron in femtoseconds
+_NANOSECONDS = {"real": 1.0e-6, "metal": 1.0e-3, "electron": 1.0, "micro": 1.0e3, "nano": 1.0}
 _TABLE = (
     "\nMPI task timing breakdown:\nSection |  min time  |  avg time  |  max time  |%varavg| %total\n"
     "---------------------------------------------------------------\n"
@@ -65,7 +67,13 @@ def _performance(sim: Simulation, report: RunReport) -> str:
         rate = report.steps / report.seconds
         per_day = 24.0 * 3600.0 * rate * sim.dt
         atoms, prefix = _scaled(rate * sim.natoms)
-        text = f"Performance: {per_day:.3f} tau/day, {rate:.3f} timesteps/s, {atoms:.3f} {prefix}atom-step/s\n"
+        speed = f"{per_day:.3f} tau/day"
+        if sim.units.name in _NANOSECONDS:
+            unit = "fs" if sim.units.name == "electron" else "ns"
+            size = _NANOSECONDS[sim.units.name]
+            speed = f"{per_day * size:.3f} {unit}/day, {24.0 / (per_day * size) if per_day else 0.0:.3f} hours/{unit}"
+        if sim.units.name not in ("si", "cgs"):
+            text = f"Performance: {speed}, {rate:.3f} timesteps/s, {atoms:.3f} {prefix}atom-step/s\n"
     return text
 
 

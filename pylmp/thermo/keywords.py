@@ -126,6 +126,12 @@ def _cos_alpha(t: Thermo) -> float:
     return float((h[5] * h[4] + h[1] * h[3]) / _cell_b(t) / _cell_c(t))
 
 
+def _vector(which: int, d: int) -> Value:
+    """A component of a cell vector: a along x, b in the xy plane."""
+    at = {(0, 0): 0, (1, 1): 1, (2, 2): 2, (2, 1): 3, (2, 0): 4, (1, 0): 5}.get((which, d))
+    return lambda t: 0.0 if at is None else float(t.sim.box.h[at])
+
+
 def _spacing(d: int) -> Value:
     return lambda t: float(t.sim.spacing[d])
 
@@ -192,6 +198,11 @@ KEYWORDS: dict[str, Keyword] = {
     "angles": Keyword("Angles", lambda t: t.sim.angles, whole=True),
     "dihedrals": Keyword("Diheds", lambda t: t.sim.dihedrals, whole=True),
     "impropers": Keyword("Impros", lambda t: t.sim.impropers, whole=True),
+    **{
+        f"{name}vec{axis}": Keyword(f"{name.upper()}vec{axis}", _vector(which, d))
+        for which, name in enumerate("abc")
+        for d, axis in enumerate("xyz")
+    },
     "cella": Keyword("Cella", _length(0)),
     "cellb": Keyword("Cellb", _cell_b),
     "cellc": Keyword("Cellc", _cell_c),
