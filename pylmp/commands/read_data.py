@@ -1,10 +1,11 @@
-"""read_data FILE keywords..."""
+"""read_data FILE keywords...; bond/history is pylmp's own: with what write_data FILE bond/history kept, a run goes on exactly."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from pylmp.io.data_read import Options, read_data
+from pylmp.io.packed import Unpackable, read_packed
 from pylmp.model.groups import MAX_GROUPS
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
@@ -36,15 +37,19 @@ def read_data_command(sim: Simulation, args: Args) -> None:
         args.fail("Cannot use read_data offset without add keyword", args.owner, hint="add append offset ...")
     if options.add is not None and any(options.types.values()):
         args.fail("Cannot use any read_data extra/*/types keyword with add keyword", args.owner, hint="in the first read_data")
+    if options.add is not None and options.history:
+        args.fail("Cannot use read_data bond/history with add keyword", args.owner, hint="in the first read_data")
     if options.add is None and any(options.shift):
         args.fail("Cannot use read_data shift without add keyword", args.owner, hint="add append shift ...")
     if sim.dimension == 2 and sim.boundary[2][0] != "p":
         args.fail("Cannot run 2d simulation with nonperiodic Z dimension", args.owner, hint="boundary x y p")
     path = Path(name.text)
     try:
-        text = path.read_bytes().decode("utf-8", "replace")
+        text = read_packed(path)
     except OSError as error:
         args.fail(f"Cannot open file {path}: {error.strerror}", name)
+    except Unpackable as error:
+        args.fail(f"Cannot read file {path}: {error}", name, hint="gzip -t tells whether it is whole")
     if group:
         options.group = _group(sim, args, group)
     read_data(sim, path, text, options)
@@ -71,6 +76,9 @@ def _keyword(sim: Simulation, args: Args, options: Options) -> str:
         else:
             _need(args, key, 1)
             options.add, options.molecule_offset = args.as_integer(word), args.integer()
+    elif key.text == "bond/history" and not sim.strict:
+        sim.console.warning("[D005] read_data ... bond/history is pylmp's own; LAMMPS 22 Jul 2025 has no such keyword")
+        options.history = True
     elif key.text == "offset":
         _offset(args, key, options)
     elif key.text == "fix":

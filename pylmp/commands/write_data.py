@@ -1,12 +1,15 @@
-"""write_data FILE [nocoeff] [nofix] [nolabelmap] [noinit] [pair ii|ij] [types numeric|labels]"""
+"""write_data FILE [nocoeff] [nofix] [nolabelmap] [noinit] [pair ii|ij] [types numeric|labels] [bond/history]
+
+bond/history is pylmp's own: comment lines at the end hold what data files lack to continue a run exactly (io/data_history.py).
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from pylmp.io.data_write import Contents, data_text, warn_unmixed
+from pylmp.io.packed import write_packed
 from pylmp.io.ready import initialise, wrap_atoms
-from pylmp.io.whole_file import write_whole
 from pylmp.model.paths import writable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
@@ -26,6 +29,9 @@ def write_data(sim: Simulation, args: Args) -> None:
             pass  # no fix here adds a section
         elif key.text == "noinit":
             ready = True
+        elif key.text == "bond/history" and not sim.strict:
+            sim.console.warning("[D005] write_data ... bond/history is pylmp's own; LAMMPS 22 Jul 2025 has no such keyword")
+            contents.history = True
         elif key.text == "nolabelmap":
             contents.labels = False
         elif key.text == "pair":
@@ -53,7 +59,7 @@ def write_data(sim: Simulation, args: Args) -> None:
     writable(sim, name)
     path = Path(name.text.replace("*", str(sim.step), 1))
     try:
-        write_whole(path, data_text(sim, contents))
+        write_packed(path, data_text(sim, contents))
     except OSError as error:
         args.fail(
             f"Cannot open data file {path}: {error.strerror}", name, hint="an existing folder that may be written to"

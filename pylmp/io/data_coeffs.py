@@ -52,7 +52,7 @@ class Section:
         """The word of a type, labels are not allowed here, as the number of that type in the simulation."""
         assert word.span is not None
         number = self.file.integer(word.text, word.span.line - 1)
-        return replace(word, text=str(self.types.number(kind, word.text) or number))
+        return replace(word, text=str(self.types.coefficient(kind, number)))
 
 
 def read_masses(sim: Simulation, file: DataFile, count: int, types: TypeMap) -> None:

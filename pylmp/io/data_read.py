@@ -14,14 +14,15 @@ from numpy.typing import NDArray
 from pylmp.commands.create_box import announce
 from pylmp.io.data_coeffs import CLASS2, Section, read_bonded_coeffs, read_masses, read_pair_coeffs, warn_style
 from pylmp.io.data_file import DataFile, Header
+from pylmp.io.data_history import History
 from pylmp.io.data_rows import read_atoms, read_velocities
 from pylmp.io.data_topology import Scanned, keep, scan
 from pylmp.io.data_types import TypeMap
-from pylmp.model.atoms import Atoms, Floats, Ints
+from pylmp.model.atoms import MOST_SLOTS, MOST_TYPES, Atoms, Floats, Ints
 from pylmp.model.box import Box
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
-from pylmp.model.topology import KIND, KINDS, Kind
+from pylmp.model.topology import BOND, KIND, KINDS, Kind
 from pylmp.model.triclinic import Triclinic
 from pylmp.text.diagnostic import Unsupported
 
@@ -39,6 +40,7 @@ class Options:
     offsets              what is added to types, by kind ("atom", "bond", ...)
     group                its bit, 0 none
     types, per_atom      extra/KIND/types, extra/KIND/per/atom (special too) by kind
+    history              the lines of write_data bond/history are to be read
     """
 
     add: str | int | None = None
@@ -49,6 +51,7 @@ class Options:
     types: dict[str, int] = field(default_factory=dict)
     per_atom: dict[str, int] = field(default_factory=dict)
     coeffs: bool = True
+    history: bool = False
 
 
 def read_data(sim: Simulation, path: Path, text: str, options: Options) -> None:
@@ -67,6 +70,7 @@ class Reader:
         self.types = TypeMap(sim, file, options.offsets)
         self.seen: set[str] = set()  # sections read
         self.scanned: list[Scanned] = []
+        self.history = History(file) if options.history else None
 
     def read(self) -> None:
         sim, file = self.sim, self.file
@@ -90,9 +94,13 @@ class Reader:
         for found in self.scanned:
             keep(sim, found)
         x = sim.atoms.x[: sim.atoms.n]
-        sim.box.enter(x)
-        sim.box.shrink(sim.atoms)
-        sim.box.leave(x)
+        if self.history is not None:
+            self.history.restore(sim, next((found for found in self.scanned if found.kind is BOND), None))
+            self.history.restore_box(sim, self.header.lo, self.header.hi)
+        else:
+            sim.box.enter(x)
+            sim.box.shrink(sim.atoms)
+            sim.box.leave(x)
         if sim.has_bonds:
             build_special(sim)
         sim.console.both("  read_data CPU = 0.000 seconds\n")
@@ -108,6 +116,10 @@ class Reader:
         for name in ("ellipsoids", "lines", "triangles", "bodies"):
             if name in header.counts:
                 file.fail(f"No {name} allowed with this atom style", header.lines[name])
+        for name, count in header.counts.items():
+            most = MOST_TYPES if name.endswith("types") else MOST_SLOTS if name.startswith("extra") else count
+            if count > most:
+                file.fail(f"Data file asks for too many {name}: {count}", header.lines[name], hint=f"at most {most}")
         for kind in KINDS:
             for name in (kind.plural, f"{kind.name} types"):
                 if header.count(name) and kind not in sim.style.kinds:
@@ -229,8 +241,11 @@ class Reader:
                 )
                 read.image[:, d] = 0
         image = _ten_bits(read.image)
-        x = read.x + shift if shift.any() else read.x
+        x = read.x + shift if shift.any() else read.x.copy()
         inside = self._place(x, image, read.line)
+        if self.history is not None:  # as they were written, also where entering a tilted box would round them
+            still = (_ten_bits(read.image) == _ten_bits(image)).all(axis=1)
+            x = np.where(still[:, None], read.x, x)
         rows = sim.atoms.append(x[inside], np.asarray(read.columns["type"], np.int64)[inside])
         new = slice(rows.start, rows.stop)
         offsets = {"tag": self.id_offset, "molecule": self.molecule_offset, "q": 0}

@@ -27,6 +27,11 @@ class TypeMap:
             return self._local.get(kind, {}).get(number, number) + self.offsets.get(kind, 0)
         return self.sim.labels.number(kind, word) or None
 
+    def coefficient(self, kind: str, number: int) -> int:
+        """The type whose coefficients a row gives; 0 for one that the file has no label for, where it has labels."""
+        local = self._local.get(kind)
+        return (local.get(number, 0) if local else number) + self.offsets.get(kind, 0)
+
     def read_labels(self, kind: str, types: int, line: int) -> None:
         """A section of lines ``type label``. A label that the simulation knows already means its type, a new one the next unnamed."""
         sim, file = self.sim, self.file

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pylmp.io.data_history import history_text
 from pylmp.model.simulation import Simulation
 from pylmp.model.topology import KIND, Entries, Kind, entries
 from pylmp.text.diagnostic import ScriptError
@@ -26,12 +27,13 @@ _UNMIXED = (
 @dataclass
 class Contents:
     """What a file is to hold. coeffs: coefficients; pairs: those of every pair of types; labels: the sections of type labels;
-    named: labels stand for types in Atoms, Bonds, ..."""
+    named: labels stand for types in Atoms, Bonds, ...; history: what continues a run exactly, as comment lines."""
 
     coeffs: bool = True
     pairs: bool = False
     labels: bool = True
     named: bool = False
+    history: bool = False
 
 
 def data_text(sim: Simulation, contents: Contents) -> str:
@@ -53,6 +55,8 @@ def data_text(sim: Simulation, contents: Contents) -> str:
     for kind, found in bonded.items():
         if len(found):
             parts.append(_section(kind.plural.capitalize(), _bonded(sim, found, contents.named)))
+    if contents.history:
+        parts.append(history_text(sim))
     return "\n".join(parts)
 
 

@@ -11,6 +11,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from pylmp.text.diagnostic import ScriptError
+
+MOST_SLOTS, MOST_TYPES = 10_000, 100_000
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
@@ -67,7 +70,9 @@ class Atoms:
     improper_atom: Ints
 
     def __init__(self, bond_per_atom: int = 0, max_special: int = 1, **slots: int) -> None:
-        """slots: those of angles, dihedrals, impropers, none by default."""
+        """slots: those of angles, dihedrals, impropers, none by default. Raises ScriptError for numbers that cannot be meant."""
+        for name, count in {"bond": bond_per_atom, "special": max_special, **slots}.items():
+            check_count(count, MOST_SLOTS, f"{name}s per atom")
         self.n = 0
         self.ghosts = 0
         self.bond_per_atom = bond_per_atom
@@ -224,6 +229,13 @@ class Atoms:
             self.bond_history[row, slot] = self.bond_history[row, last]
             self.bond_history[row, last] = 0.0
         count[row] = last
+
+
+def check_count(count: int, most: int, what: str) -> None:
+    """Raise ScriptError, LAMMPS's for want of memory, where arrays for count would be absurd."""
+    if not 0 <= count <= most:
+        says = f"Failed to allocate {8 * count} bytes for array atom:{what.split()[0]}"
+        raise ScriptError(says, hint=f"{count} {what}: pylmp goes up to {most}")
 
 
 def _grown(array: NDArray[np.generic], rows: int) -> NDArray[np.generic]:

@@ -18,15 +18,16 @@ if TYPE_CHECKING:
 FLAG, PER_ATOM, BREAKS = "BOND_HISTORY", "property/atom", "UPDATE_SPECIAL_BONDS"
 BREAKS_ID = "BPM_UPDATE_SPECIAL_BONDS"
 PLACES_ID = "BPM_property_atom"  # where atoms were when store/local asked for x/ref, y/ref, z/ref
+KNOWN = struct.pack("<d", 1.0)  # r0 of every bond is known
 PLACES = "bpm reference"  # the same in Atoms.extra
 
 
-def flag_id(part: BondPart) -> str:
-    return "HISTORY_" + part.style.name.upper().replace("/", "_")
+def flag_id(style: str) -> str:
+    return "HISTORY_" + style.upper().replace("/", "_")
 
 
-def per_atom_id(part: BondPart) -> str:
-    return f"{flag_id(part)}_FIX_PROP_ATOM"
+def per_atom_id(style: str) -> str:
+    return f"{flag_id(style)}_FIX_PROP_ATOM"
 
 
 def flag(part: BondPart) -> bytes:
@@ -50,13 +51,13 @@ def take(sim: Simulation, part: BondPart) -> None:
         return
     atoms = sim.atoms
     width = atoms.bond_per_atom * part.memory
-    found = sim.waiting.take_atoms(sim, per_atom_id(part), PER_ATOM, width)
+    found = sim.waiting.take_atoms(sim, per_atom_id(part.style.name), PER_ATOM, width)
     if found is not None:
         mine = found.reshape(atoms.n, atoms.bond_per_atom, part.memory)
         atoms.bond_history[: atoms.n, :, : part.memory] = np.where(
             mine != 0.0, mine, atoms.bond_history[: atoms.n, :, : part.memory]
         )
-    state = sim.waiting.take(sim, flag_id(part), FLAG)
+    state = sim.waiting.take(sim, flag_id(part.style.name), FLAG)
     if state is not None and len(state) == 8:
         part.stored = struct.unpack("<d", state)[0] != 0.0
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from pylmp.model.asking import Asking
 from pylmp.model.atom_style import ATOM_STYLES
-from pylmp.model.atoms import Atoms
+from pylmp.model.atoms import MOST_TYPES, Atoms, check_count
 from pylmp.model.box import Box
 from pylmp.model.checks import check_integration, check_neighbor_settings
 from pylmp.model.console import Console
@@ -159,6 +159,8 @@ class Simulation:
 
     def define_types(self, atom_types: int, bond_types: int, *other_types: int) -> None:
         """Fix the numbers of types when the box comes to be; other_types: of angles, dihedrals, impropers."""
+        for count in (atom_types, bond_types, *other_types):
+            check_count(count, MOST_TYPES, "types")
         self.atom_types, self.bond_types = atom_types, bond_types
         self.angle_types, self.dihedral_types, self.improper_types = (*other_types, 0, 0, 0)[:3]
         self.mass = np.zeros(atom_types + 1)

@@ -27,9 +27,10 @@ class _Entry:
 
 
 class Waiting:
-    """globals, per_atom: entries in the order of the file."""
+    """globals, per_atom: entries in the order of the file. source: what the log calls it."""
 
-    def __init__(self) -> None:
+    def __init__(self, source: str = "restart file") -> None:
+        self.source = source
         self.globals: list[_Entry] = []
         self.per_atom: list[_Entry] = []
 
@@ -47,7 +48,7 @@ class Waiting:
         entry = _find(self.globals, identity, style)
         if entry is None:
             return None
-        _announce(sim, "global", entry)
+        self._announce(sim, "global", entry)
         assert isinstance(entry.state, bytes)
         return entry.state
 
@@ -56,7 +57,7 @@ class Waiting:
         entry = _find(self.per_atom, identity, style)
         if entry is None:
             return None
-        _announce(sim, "peratom", entry)
+        self._announce(sim, "peratom", entry)
         assert isinstance(entry.state, str)
         values: Floats = sim.atoms.extra[entry.state][: sim.atoms.n]  # type: ignore[assignment]
         if values.shape[1] != width:
@@ -82,15 +83,21 @@ class Waiting:
         if own is not None and (values := self.take_atoms(sim, identity, style, own.shape[1])) is not None:
             owner.restore_atoms(sim, values)
 
+    def _announce(self, sim: Simulation, what: str, entry: _Entry) -> None:
+        entry.taken = True
+        sim.console.both(
+            f"Resetting {what} fix info from {self.source}:\n  fix style: {entry.style}, fix ID: {entry.identity}\n"
+        )
+
     def drop(self, sim: Simulation) -> None:
         """The first set-up: say what nobody took."""
         for what, entries in (("global", self.globals), ("peratom", self.per_atom)):
             left = [entry for entry in entries if not entry.taken]
             if left:
                 lines = "".join(f"  fix style: {entry.style}, fix ID: {entry.identity}\n" for entry in left)
-                sim.console.both(f"Unused restart file {what} fix info:\n{lines}")
+                sim.console.both(f"Unused {self.source} {what} fix info:\n{lines}")
             elif entries:
-                sim.console.both(f"All restart file {what} fix info was re-assigned\n")
+                sim.console.both(f"All {self.source} {what} fix info was re-assigned\n")
         for entry in self.per_atom:
             sim.atoms.extra.pop(str(entry.state), None)
         sim.waiting = None
@@ -109,8 +116,3 @@ def _find(entries: list[_Entry], identity: str, style: str) -> _Entry | None:
     return next((e for e in entries if (e.identity, e.style) == (identity, style) and not e.taken), None)
 
 
-def _announce(sim: Simulation, what: str, entry: _Entry) -> None:
-    entry.taken = True
-    sim.console.both(
-        f"Resetting {what} fix info from restart file:\n  fix style: {entry.style}, fix ID: {entry.identity}\n"
-    )

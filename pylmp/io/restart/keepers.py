@@ -40,11 +40,11 @@ def _of_bonds(sim: Simulation) -> list[Keeper]:
         if part is breaks:
             found.append(Keeper(part.born, bond_memory.BREAKS_ID, bond_memory.BREAKS, b""))
         if part.memory:
-            found.append(Keeper(part.born, bond_memory.flag_id(part), bond_memory.FLAG, bond_memory.flag(part)))
+            found.append(Keeper(part.born, bond_memory.flag_id(part.style.name), bond_memory.FLAG, bond_memory.flag(part)))
             if part.recorder is not None and bond_memory.PLACES in sim.atoms.extra:
                 places = np.asarray(sim.atoms.extra[bond_memory.PLACES][: sim.atoms.n], np.float64)
                 found.append(Keeper(part.born, bond_memory.PLACES_ID, bond_memory.PER_ATOM, None, places))
             values = bond_memory.values(sim, part)
-            name = bond_memory.per_atom_id(part)
+            name = bond_memory.per_atom_id(part.style.name)
             found.append(Keeper(part.memory_born, name, bond_memory.PER_ATOM, None, values))
     return found

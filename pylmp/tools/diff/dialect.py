@@ -31,7 +31,7 @@ def translate(lines: list[str]) -> Dialect:
     unbreakable = False
     for number, line in enumerate(lines, 1):
         new = line
-        for rewrite in (_breakable, _store_local, _write_header, _bond_zero):
+        for rewrite in (_breakable, _store_local, _write_header, _bond_zero, _bond_history):
             new = rewrite(new)
         words = new.split()
         if words[:1] == ["bond_style"]:
@@ -81,3 +81,8 @@ def _lepton(k: str, b1: str, b2: str, rc: str, u0: str) -> str:
     """quartic/unbreakable as a formula: past Rc the energy is U0; the LJ term ends at 2^(1/6)."""
     quartic = f"({k})*(r-({rc}))^2*(r-({rc})-({b1}))*(r-({rc})-({b2}))*step(({rc})-r)"
     return f"{quartic}+({u0})+(4*(1/r^12-1/r^6)+1)*step({_LJ_REACH}-r)"
+
+
+def _bond_history(line: str) -> str:
+    """The release writes data files without the lines that continue a run exactly."""
+    return _on("write_data", line, lambda s: re.sub(r"\s+bond/history\b", "", s))
