@@ -21,6 +21,7 @@ from pylmp.model.box import Boundary, Box
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.triclinic import Triclinic
+from pylmp.model.waiting import refuse_atoms
 from pylmp.text.words import Args, Word
 
 _FACES = {"final": 2, "delta": 2, "scale": 1, "volume": 0}
@@ -52,6 +53,8 @@ def change_box(sim: Simulation, args: Args) -> None:
     sim.console.both("Changing box ...\n")
     operations = _read(sim, args)
     spacing = _units(sim, args)
+    if any(this.name not in ("triclinic", "ortho") for this in operations):
+        refuse_atoms(sim, args, "Change_box parameter not allowed")
     atoms = sim.atoms
     atoms.clear_ghosts()
     sim.box.enter(atoms.x[: atoms.n])

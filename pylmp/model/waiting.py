@@ -113,6 +113,6 @@ def refuse_atoms(sim: Simulation, args: Args, says: str) -> None:
 
 
 def _find(entries: list[_Entry], identity: str, style: str) -> _Entry | None:
-    return next((e for e in entries if (e.identity, e.style) == (identity, style) and not e.taken), None)
+    return next((e for e in entries if (e.identity, e.style) == (identity, style)), None)
 
 

@@ -94,3 +94,23 @@ def test_what_bonds_remember(name: str, walls: str, tmp_path: Path) -> None:
     assert len(names) > 1
     for file in names:
         assert differences(*both.files(file)) == [], file
+
+
+WAITING = {
+    "twice": "fix 2 all spring/self 10\nunfix 2\nfix 2 all spring/self 10",
+    "replaced": "fix 2 few spring/self 5 x\nfix 2 few spring/self 6",
+    "of another style": "fix 2 all nve",
+    "of another ID": "fix 2 all temp/rescale 5 1 1 .1 .5\nfix 3 all spring/self 10",
+    "too late": "fix 3 all temp/rescale 5 1 1 .1 .5\nrun 0 post no\nfix 2 few spring/self 10",
+    "a file in between": "write_restart file.0\nfix 2 few spring/self 5",
+    "never": "",
+}
+
+
+@pytest.mark.parametrize("name", WAITING)
+def test_what_waits_for_its_fix(name: str, tmp_path: Path) -> None:
+    both = Pair(tmp_path)
+    begin = setup("group few id 1:20\n", "atomic") + NVE
+    keep = "fix 2 few spring/self 10\nfix 3 all temp/rescale 5 1 1 .1 .5\nrun 5 post no\nwrite_restart state\nclear\n"
+    both.run(f"{begin}{keep}read_restart state\nfix 1 all nve\n{WAITING[name]}\nrun 10 post no\nwrite_restart file.1\n")
+    assert differences(*both.files("file.1")) == []
