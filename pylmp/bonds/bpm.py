@@ -22,12 +22,13 @@ RESTART = Blob(  # what bpm/spring/plastic keeps in restart files; other styles 
 )  # fmt: skip
 
 
-def parse(sim: Any, args: Args) -> Options:
-    """store/local ID N attributes, overlay/pair, smooth, normalize, break: in any order.
+def parse(sim: Any, args: Args, more: tuple[str, ...] = ()) -> Options:
+    """store/local ID N attributes, overlay/pair, smooth, normalize, break, and more yes/no keywords of a style: in any order.
 
     Like the release, in two passes: first store/local, overlay/pair and break wherever they stand, then the words left over.
     """
     options: Options = {"overlay/pair": False, "smooth": True, "normalize": False, "break": True, "store/local": None}
+    options |= dict.fromkeys(more, False)
     last: dict[str, Word] = {}
     first = args.peek()
     if first is not None and first.text not in options and len(args) > 2 and args.words[args.at + 2].text in ATTRIBUTES:
@@ -37,7 +38,7 @@ def parse(sim: Any, args: Args) -> Options:
             )
         sim.console.warning(
             f"[D001] the manual's example leaves out the keyword store/local, which LAMMPS 22 Jul 2025 requires: "
-            f"bond_style bpm/spring/plastic store/local {first.text} ..."
+            f"bond_style {args.owner} store/local {first.text} ..."
         )
         options["store/local"] = _store(args, first)
     left = []
@@ -53,10 +54,10 @@ def parse(sim: Any, args: Args) -> Options:
     while left:
         args.at = left.pop(0)
         word = args.word()
-        if word.text not in ("smooth", "normalize"):
+        if word.text not in ("smooth", "normalize", *more):
             args.fail(
                 f"Illegal bond bpm command, invalid argument {word.text}", word,
-                hint="keywords: store/local overlay/pair smooth normalize break",
+                hint=" ".join(["keywords: store/local overlay/pair smooth normalize break", *more]),
             )  # fmt: skip
         options[word.text] = args.yes()
         left = [at for at in left if at != args.at - 1]

@@ -67,6 +67,7 @@ BONDS.add(
         lower_id_first=True,
         updates_special=lambda options: bool(options["break"]) and not options["overlay/pair"],
         mixable=True,
+        misplaces=True,
         freeze=lambda coeffs: (*coeffs[:3], math.inf),  # one bond alone does not yield
         writes=False,
         release="bpm/spring/plastic",

@@ -11,6 +11,7 @@ from pylmp.model.registry import BONDS, command
 from pylmp.model.simulation import Simulation
 from pylmp.model.style import BondStyle
 from pylmp.model.unknown import unknown_style
+from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args, Word
 
 
@@ -95,7 +96,12 @@ def _hybrid(sim: Simulation, args: Args) -> list[BondPart]:
     if len({part.style.mixable for part in parts} - {None}) > 1:
         args.fail(
             "Cannot hybridize bond styles with different topology settings", args.words[1],
-            hint="bpm styles mix with each other and with quartic",
+            hint="bpm styles mix with quartic",
+        )  # fmt: skip
+    if sum(bool(part.style.history) for part in parts) > 1:
+        raise Unsupported(
+            "LAMMPS has two bond styles with a memory in one hybrid, pylmp's native engines do not", args.words[1].span,
+            hint="one bpm style, beside styles without a memory", manual=args.manual,
         )  # fmt: skip
     return parts
 

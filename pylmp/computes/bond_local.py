@@ -55,7 +55,7 @@ class BondLocal(Compute):
         if extra and max(extra) > max(part.memory for part in sim.bond.parts):
             raise ScriptError(
                 "Bond style does not have extra field requested by compute bond/local",
-                hint="b1 and b2 of bpm/spring/plastic",
+                hint="b1 of bpm styles, b2 of bpm/spring/plastic",
             )
 
     def local(self, sim: Simulation) -> Floats:
@@ -79,7 +79,9 @@ class BondLocal(Compute):
             values |= {f"f{axis}": d[:, k] * over_r for k, axis in enumerate("xyz")}
             values |= motion(sim, rows, partners)
             if memory.shape[1]:
-                values |= {"b1": memory[:, 0], "b2": (1.0 + memory[:, 1]) * memory[:, 0]}
+                values["b1"] = memory[:, 0]
+            if memory.shape[1] > 1:
+                values["b2"] = (1.0 + memory[:, 1]) * memory[:, 0]
         table = np.stack([values[name] for name in self.names], axis=1)
         return table[:, 0] if self.columns == 1 else table
 

@@ -36,9 +36,9 @@ class BondsOfAtom(Compute):
             return (kinds > 0) if self.kind == 0 else (kinds == self.kind)
 
         rows, _, partners = bond_pairs(sim, wanted)
-        counts = np.bincount(rows, minlength=sim.atoms.n).astype(float)
+        known = partners >= 0  # a bond to a lost atom does not count
+        counts = np.bincount(rows[known], minlength=sim.atoms.n).astype(float)
         if sim.newton_bond:
-            known = partners[partners >= 0]
-            counts += np.bincount(known, minlength=sim.atoms.n)
+            counts += np.bincount(partners[known], minlength=sim.atoms.n)
         counts[~self.members(sim)] = 0.0
         return counts

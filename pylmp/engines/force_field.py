@@ -83,7 +83,7 @@ class ForceField:
             if first:
                 listed.store_reference(sim)
             listed.build(sim, self.ghosts, sim.lost_bonds != "error")
-            if first and len(self.bonds) > 1:
+            if first and len(self.bonds) > 1 and listed.part.style.misplaces:
                 listed.misplace(sim, self.ghosts)
         check_bonded(sim)
         self._held = atoms.x[: atoms.n].copy()

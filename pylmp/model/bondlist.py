@@ -128,7 +128,7 @@ class BondList(Listing):
         sim.atoms.bond_history[rows, slots, 0] = np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2])
 
     def misplace(self, sim: Simulation, ghosts: Ghosts) -> None:
-        """Under hybrid, LAMMPS keeps what it stores at the first evaluation in the order of the style's own list, and takes it back
+        """Under hybrid, LAMMPS keeps what bpm/spring/plastic stores at the first evaluation in the order of the style's own list, and takes it back
         at the next rebuild as if it were in the order of all bonds: entry n of all bonds gets what entry n of the style's list
         remembers, and entries beyond get 0, so that their r0 is taken anew. Later rebuilds are right. Measured on LAMMPS 22 Jul 2025.
         """

@@ -74,6 +74,7 @@ class BondStyle:
     single         (r2, c, pair energy) -> energy of one bond alone, where subtract_pair makes its order of operations matter
     updates_special     options -> broken pairs become ordinary neighbors
     length         (coefficients, options) -> length for LAMMPS's estimate of the communication cutoff
+    misplaces      under hybrid LAMMPS mixes up what it first remembers (BondList.misplace)
     mixable        stands in bond_style hybrid beside styles that say the same; None: beside any
     freeze         coefficients -> those with which evaluating one bond alone leaves its memory as it is
     writes         write_data prints its coefficients
@@ -107,6 +108,7 @@ class BondStyle:
     freeze: Callable[[Any], Any] = lambda coeffs: coeffs
     updates_special: Callable[[Options], bool] = NEVER
     length: Callable[[tuple[float, ...], Options], float] = lambda coeffs, options: 0.0
+    misplaces: bool = False
     mixable: bool | None = False
     writes: bool = True
     omp: bool = False

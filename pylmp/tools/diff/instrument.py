@@ -8,6 +8,7 @@ from __future__ import annotations
 
 ATOMS = "pylmp-diff.atoms"
 BONDS = "pylmp-diff.bonds"
+_MEMORY = {"bpm/spring/plastic": " b1 b2", "bpm/spring": " b1"}  # what a style's bonds remember
 _PRECISE = "format float %.17g"
 
 
@@ -45,14 +46,14 @@ def _around(bonds: str) -> tuple[list[str], list[str]]:
         f"write_dump all custom {ATOMS} id type x y z vx vy vz fx fy fz ix iy iz modify append yes sort id {_PRECISE}"
     ]
     if bonds and bonds not in ("none", "zero"):
-        remembers = bonds.startswith("bpm/")
+        memory = _MEMORY.get(bonds, "")
         force = "" if bonds == "hybrid" else " force"  # LAMMPS's single force under hybrid has no meaning for bpm
         before += [
             "compute pylmp_ends all property/local batom1 batom2 btype",
-            f"compute pylmp_bonds all bond/local dist engpot{force}" + (" b1 b2" if remembers else ""),
+            f"compute pylmp_bonds all bond/local dist engpot{force}{memory}",
         ]
         columns = [f"c_pylmp_ends[{k}]" for k in (1, 2, 3)] + [
-            f"c_pylmp_bonds[{k}]" for k in range(1, 3 + bool(force) + 2 * remembers)
+            f"c_pylmp_bonds[{k}]" for k in range(1, 3 + bool(force) + len(memory.split()))
         ]
         after += [
             f"write_dump all local {BONDS} {' '.join(columns)} modify append yes {_PRECISE}",
