@@ -70,6 +70,8 @@ def _settings(sim: Simulation, content: Content) -> None:
     sim.output.clock.set(header["time step"], header["time"])
     _ = sim.computes  # LAMMPS's own are there before the file says what the dimension is
     sim.dimension = header["dimension"]
+    if header["processes"] != 1:
+        console.warning(f"Restart file used different # of processors: {header['processes']} vs. 1")
     if header["newton pair"] and not sim.newton_pair:
         console.warning("Restart file used different newton pair setting, using input script value")
     if header["newton bond"] and not sim.newton_bond:
