@@ -73,9 +73,10 @@ def create_atoms(sim: Simulation, args: Args) -> None:
         x, types = _sites(sim, args, lattice, geometry, kind, options)
     sim.atoms.append(x, types)
     sim.atoms.number()
-    sim.natoms += len(x)
+    created = sim.atoms.n - sim.natoms  # counted as LAMMPS does: atoms that were lost before it count here
+    sim.natoms = sim.atoms.n
     sim.console.both(
-        f"Created {len(x)} atoms\n  using {options.units} units in {describe(sim.box)}\n  create_atoms CPU = 0.000 seconds\n"
+        f"Created {created} atoms\n  using {options.units} units in {describe(sim.box)}\n  create_atoms CPU = 0.000 seconds\n"
     )
 
 

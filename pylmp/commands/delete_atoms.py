@@ -46,7 +46,7 @@ def delete_atoms(sim: Simulation, args: Args) -> None:
     words = [args.word() for _ in range(count)]
     doomed, options = select(sim, args, words)
     atoms = sim.atoms
-    before = atoms.n, [kind.total(sim) for kind in sim.style.kinds]
+    before = sim.natoms, [kind.total(sim) for kind in sim.style.kinds]  # atoms that were lost on the way count as deleted
     everyone = style.text == "group" and words[0].text == "all"
     if options.bond:
         for kind in sim.style.kinds:

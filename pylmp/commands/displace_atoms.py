@@ -71,6 +71,11 @@ def displace_atoms(sim: Simulation, args: Args) -> None:
     sim.box.shrink(atoms)
     sim.box.leave(x)
     atoms.clear_ghosts()
+    if atoms.n != sim.natoms:  # they were lost before
+        sim.console.warning(
+            f"Lost atoms via displace_atoms: original {sim.natoms} current {atoms.n}\n"
+            "For more information see https://docs.lammps.org/err0008"
+        )
 
 
 def _move(this: _Displacement) -> None:

@@ -19,6 +19,8 @@ from pylmp.model.special import build_special
 from pylmp.model.topology import BOND, Kind, entries
 from pylmp.text.words import Args
 
+_EDGE = 1.0e-6  # of the box length
+
 
 @command("replicate", needs_box=True)
 def replicate(sim: Simulation, args: Args) -> None:
@@ -45,7 +47,12 @@ def replicate(sim: Simulation, args: Args) -> None:
             hint="replicate comes before such fixes",
         )
     _copy(sim, grid, word.text if word else "")
-    sim.console.both(f"  {sim.natoms} atoms\n")
+    inside = _inside(sim)
+    sim.console.both(f"  {inside} atoms\n")
+    if inside != sim.natoms:
+        args.fail(
+            "Replicate did not assign all atoms correctly", args.owner, hint="atoms were lost, or are outside the box"
+        )
     for kind in sim.style.kinds:
         if kind.total(sim):
             kind.set_total(sim, copies * kind.total(sim))
@@ -53,6 +60,14 @@ def replicate(sim: Simulation, args: Args) -> None:
     if sim.has_bonds:
         build_special(sim)
     sim.console.both("  replicate CPU = 0.000 seconds\n")
+
+
+def _inside(sim: Simulation) -> int:
+    """How many atoms LAMMPS finds in the new box; periodic faces are a little farther out."""
+    x, (lo, hi) = sim.atoms.x[: sim.atoms.n].copy(), sim.box.frame
+    sim.box.enter(x)
+    margin = np.where(sim.box.periodic, (hi - lo) * _EDGE, 0.0)
+    return int(((x >= lo - margin) & (x < hi + margin)).all(axis=1).sum())
 
 
 def _copy(sim: Simulation, grid: list[int], mode: str) -> None:
@@ -78,7 +93,8 @@ def _copy(sim: Simulation, grid: list[int], mode: str) -> None:
     atoms.clear_ghosts()
     atoms.reserve(n * len(copies))
     atoms.keep(np.tile(np.arange(n), len(copies)))
-    sim.natoms = n = atoms.n
+    n = atoms.n
+    sim.natoms *= len(copies)
     which = np.repeat(copies, n // len(copies), axis=0)
     x, (a, b, c) = atoms.x[:n], which.T
     x[:, 0] = x[:, 0] + a * h[0] + b * h[5] + c * h[4]

@@ -92,7 +92,7 @@ def _spatial(sim: Simulation) -> Ints:
     lo = lo - _MARGIN * (hi - lo)
     hi = hi + _MARGIN * (hi - lo)
     length = hi - lo
-    size = float(length[0] * length[1] * length[2] / (len(x) // _PER_BIN + 1)) ** (1.0 / sim.dimension)
+    size = float(length[0] * length[1] * length[2] / (sim.natoms // _PER_BIN + 1)) ** (1.0 / sim.dimension)
     count = (length / size).astype(np.int64) + 1
     cell = ((x - lo) * (1.0 / length) * count).astype(np.int64)
     place = (cell[:, 2] * count[1] + cell[:, 1]) * count[0] + cell[:, 0]

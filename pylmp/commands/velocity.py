@@ -173,7 +173,7 @@ def _draws(sim: Simulation, args: Args, options: Options, seed: int, chosen: Cho
             result[i] = [draw() for _ in range(3)]
     else:
         tags = atoms.tag[:n]
-        if int(tags.max()) != n or len(np.unique(tags)) != n:
+        if int(tags.max()) != sim.natoms or len(np.unique(tags)) != n:
             args.fail(
                 "Atom IDs must be consecutive for velocity create loop all", args.owner, hint="loop geom or loop local"
             )

@@ -97,6 +97,7 @@ def _lammps_arrays(lmp: Any) -> dict[str, np.ndarray]:
 def _sorted(rows: Any, size: int) -> np.ndarray:
     """Types (of those turned off too) and IDs of bonds, angles, ... in an order of their own; a bond's lower ID first."""
     table = np.array(rows, np.int64).reshape(-1, size + 1)
+    table = table[table[:, 1] > 0]  # LAMMPS leaves rows empty where atoms were lost
     if size == 2:
         table[:, 1:].sort(axis=1)
     return table[np.lexsort(table.T)]
