@@ -109,8 +109,8 @@ def _parser() -> argparse.ArgumentParser:
         "--allow",
         action="append",
         default=[],
-        choices=("write", "env"),
-        help="let the script write outside the working directory, or read the environment",
+        choices=("write", "env", "shell"),
+        help="let the script write outside the working directory, read the environment, use the shell",
     )
     add("--version", action="version", version=f"pylmp {__version__}")
     return parser
@@ -147,12 +147,13 @@ class Session:
             print(f"ERROR: {error}", file=sys.stderr)
             return WRONG
         sim = Simulation(console, Exact())
-        sim.strict, sim.skip_run = options.strict, options.skiprun
+        sim.strict = options.strict
         interpreter = Interpreter(sim, options.allow)
         interpreter.echo = options.echo
         console.both(f"{BANNER}\n  pylmp {__version__}, engine {sim.engine.name if sim.engine else 'none'}, 1 thread\n")
         if options.skiprun:
-            console.both("New timer settings: style=normal  mode=nosync  timeout=00:00:00\n")
+            sim.timer.set_limit(0.0)
+            console.both(f"New timer settings: {sim.timer}\n")
         if options.suffix or options.package:
             console.both("  -suffix and -package change nothing: each style has one implementation here\n")
         finished = False

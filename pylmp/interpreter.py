@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
@@ -158,11 +158,17 @@ class Interpreter:
         if ready is None:
             text = line if line.text.isascii() else self._as_ascii(line)
             ready = _prepare(split(substitute(text, self._lookup, self._echo)))
-        if not ready.words:
-            return
+        if ready.words:
+            self._carry_out(ready, line.text)
+
+    def execute_words(self, words: Sequence[Word]) -> None:
+        """Execute one command given as words, variables replaced."""
+        self._carry_out(_prepare(list(words)), " ".join(word.text for word in words))
+
+    def _carry_out(self, ready: Ready, typed: str) -> None:
         owner, command = ready.words[0], ready.command
         if command is None:
-            self._unknown(line, owner)
+            self._unknown(typed, owner)
         if command.needs_box and not self.sim.has_box:
             raise ScriptError(
                 f"{command.name.capitalize()} command before simulation box is defined", owner.span,
@@ -208,7 +214,7 @@ class Interpreter:
         if self.echo in ("screen", "both"):
             self.sim.console.screen(text + "\n")
 
-    def _unknown(self, line: Text, owner: Word) -> NoReturn:
+    def _unknown(self, typed: str, owner: Word) -> NoReturn:
         if owner.text in ELSEWHERE:
             raise Unsupported(
                 f"LAMMPS has the command {owner.text}, pylmp's native engines do not", owner.span,
@@ -216,7 +222,7 @@ class Interpreter:
             )  # fmt: skip
         near = COMMANDS.near(owner.text)
         raise ScriptError(
-            f"Unknown command: {line.text}", owner.span, manual="Commands_all.html",
+            f"Unknown command: {typed}", owner.span, manual="Commands_all.html",
             hint=f"did you mean {near}?" if near else "",
         )  # fmt: skip
 
@@ -224,13 +230,13 @@ class Interpreter:
 # Commands of LAMMPS that pylmp lacks: known, not misspelled.
 ELSEWHERE = frozenset(
     {
-        "angle_write", "balance", "bond_write", "comm_style",
-        "dielectric", "dihedral_write", "dump2vtk",
+        "angle_write", "bond_write",
+        "dihedral_write", "dump2vtk",
         "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
-        "kspace_modify", "kspace_style", "mdi", "molecule", "neb",
-        "ndx2group", "package", "pair_write", "partition", "plugin", "prd", "processors", "python", "read_dump",
-        "rerun", "run_style", "shell", "suffix", "tad", "temper",
-        "thermo_log", "third_order", "timer", "write_coeff",
+        "mdi", "molecule", "neb",
+        "ndx2group", "pair_write", "plugin", "prd", "python", "read_dump",
+        "rerun", "tad", "temper",
+        "thermo_log", "third_order", "write_coeff",
     }
 )  # fmt: skip
 

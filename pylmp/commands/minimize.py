@@ -19,7 +19,7 @@ _MOST = 2**31 - 1
 def minimize(sim: Simulation, args: Args) -> None:
     """Move the atoms to a minimum of the energy, with the style of min_style."""
     args.expect(4, 4, "4 arguments")
-    if sim.skip_run or sim.halted:
+    if sim.timer.passed:
         return
     etol, ftol = (_tolerance(args, word, name) for word, name in zip(args.words[:2], ("energy", "force"), strict=True))
     plan = MinPlan(etol, ftol, *(_count(args, word, what) for word, what in zip(args.words[2:], ("iterations", "evaluations"), strict=True)))

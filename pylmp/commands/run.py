@@ -32,7 +32,7 @@ class _Request:
 @command("run", needs_box=True)
 def run(sim: Simulation, args: Args) -> None:
     """Advance the simulation."""
-    if sim.skip_run or sim.halted:
+    if sim.timer.passed:
         return
     args.need(1)
     request = _read(sim, args)

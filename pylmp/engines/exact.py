@@ -55,7 +55,7 @@ class Run:
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
-        self.timers = Timers()
+        self.timers = Timers(sim.timer.style == "full")
         self.ghosts = Ghosts(sim)
         self.sorter = Sorter()
         self.breaks = sim.breaks = sim.breaks if isinstance(sim.breaks, Breaks) else Breaks()
@@ -76,7 +76,7 @@ class Run:
         sim = self.sim
         self.begin(
             f"Setting up Verlet run ...\n  Unit style    : {sim.units.name}\n  Current step  : {sim.step}\n"
-            f"  Time step     : {sim.dt:.8g}\n"
+            f"  Time step     : {sim.dt:.8g}\n" + sim.timer.notice
         )
         for hook in hooks(sim.fixes, "setup"):
             hook(sim)
@@ -241,7 +241,7 @@ class Run:
         self._call("post_run")
         warn_small_box(sim)
         report = RunReport(
-            steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections,
+            steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections, processor=self.timers.processor,
             neighbors=self.forces.neighbors.count if self.forces.neighbors else 0, ghosts=sim.atoms.ghosts,
             builds=self.builds, dangerous=self.dangerous, interrupted=self.stop,
             full_neighbors=self.occasional.full_count,

@@ -38,12 +38,17 @@ def _bytes(owner: Any) -> int:
 
 
 def loop_time(sim: Simulation, report: RunReport) -> str:
+    """The line below the table; timer off leaves it out."""
+    if sim.timer.style == "off":
+        return ""
     return f"Loop time of {report.seconds:g} on 1 procs for {report.steps} steps with {sim.natoms} atoms\n\n"
 
 
 def footer(sim: Simulation, report: RunReport) -> str:
     """Everything below the loop time."""
-    return _performance(sim, report) + _processor(sim, report) + _timings(sim, report) + "\n" + _neighbors(sim, report)
+    timed = sim.timer.style != "off"
+    said = _performance(sim, report) + _processor(sim, report) if timed else ""
+    return said + _timings(sim, report) + "\n" + _neighbors(sim, report)
 
 
 def minimized(sim: Simulation, report: RunReport, result: MinReport) -> str:
@@ -92,15 +97,24 @@ def _scaled(value: float) -> tuple[float, str]:
 
 
 def _timings(sim: Simulation, report: RunReport) -> str:
+    """The table of sections, with the processor's share under timer full."""
+    style = sim.timer.style
+    if style in ("off", "loop"):
+        return ""
+    full = style == "full"
     whole = report.seconds
     known = {name: seconds for name, seconds in report.sections.items() if name != "Bond" or sim.has_bonds}
     rows = ""
     for name, seconds in known.items():
         share = 100.0 * seconds / whole if whole > 0.0 else 0.0
-        rows += f"{name:<8}| {seconds:<10.5g} | {seconds:<10.5g} | {seconds:<10.5g} |{0.0:6.1f} |{share:6.2f}\n"
+        spent = report.processor.get(name, 0.0)
+        busy = f"{100.0 * spent / seconds if seconds > 0.0 else 0.0:6.1f} |" if full else ""
+        rows += f"{name:<8}| {seconds:<10.5g} | {seconds:<10.5g} | {seconds:<10.5g} |{0.0:6.1f} |{busy}{share:6.2f}\n"
     other = max(0.0, whole - sum(known.values()))
     share = 100.0 * other / whole if whole > 0.0 else 0.0
-    return _TABLE + rows + f"{'Other':<8}|            | {other:<10.4g} |            |       |{share:6.2f}\n"
+    head = _TABLE.replace("| %total", "|  %CPU | %total").rstrip("\n") + "--------\n" if full else _TABLE
+    blank = "       |" if full else ""
+    return head + rows + f"{'Other':<8}|            | {other:<10.4g} |            |       |{blank}{share:6.2f}\n"
 
 
 def _neighbors(sim: Simulation, report: RunReport) -> str:

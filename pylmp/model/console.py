@@ -12,6 +12,7 @@ class Console:
         self.screen_file = screen
         self.log_file = log
         self.warnings = 0
+        self._noted: set[str] = set()
         self.limit = 100  # warnings after this many are not shown; 0: show all, below 0: none (thermo_modify warn)
 
     def both(self, text: str) -> None:
@@ -31,6 +32,12 @@ class Console:
         if self.limit and self.warnings > self.limit:
             return
         self.both(f"WARNING: {message}\n")
+
+    def note(self, text: str) -> None:
+        """Say something that is no warning, once."""
+        if text not in self._noted:
+            self._noted.add(text)
+            self.both(f"NOTE: {text}\n")
 
     def overflow(self, silent: bool) -> bool:
         """Say, unless silent, that warnings are no longer shown because there were too many; is that so?"""

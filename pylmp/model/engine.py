@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -39,6 +39,7 @@ class RunReport:
     dangerous: int
     interrupted: bool = False
     full_neighbors: int | None = None
+    processor: dict[str, float] = field(default_factory=dict)  # the processor's seconds by section, under timer full
 
 
 class Engine(Protocol):

@@ -17,6 +17,7 @@ from pylmp.model.labels import Labels
 from pylmp.model.minimize import MinSettings
 from pylmp.model.output import Output, add_default_computes
 from pylmp.model.settings import CommSettings, NeighborSettings, SortSettings, SpecialSettings, Tally
+from pylmp.model.timer import Timer
 from pylmp.model.topology import KINDS, Kind
 from pylmp.model.units import UNITS, Units
 from pylmp.text.diagnostic import ScriptError
@@ -53,6 +54,8 @@ class Simulation:
         self.engine = engine
         self.script: Any = None
         self.strict = False
+        self.timer = Timer()
+        self.suffixed = False  # the script named a suffix
         self.clear()
 
     def clear(self) -> None:
@@ -78,6 +81,7 @@ class Simulation:
         self.extra_special = 0
         self.neighbor = NeighborSettings(skin=self.units.skin)
         self.comm = CommSettings()
+        self.communication = "brick"  # comm_style
         self.sort = SortSettings()
         self.groups = Groups()
         self.regions: dict[str, Any] = {}
@@ -96,13 +100,20 @@ class Simulation:
         self.breaks: Any = None  # bonds broken since the special lists were last edited
         self.bond_lists: list[Any] = []  # bond lists of the last run, with what bonds remember
         self.announced: Any = None  # neighbor lists the log has described
-        self.halted = False  # a fix asked the run to end
         self.lost_bonds = "error"  # thermo_modify lost/bond
         self.natoms = 0  # LAMMPS's global count; atoms.n falls below it when atoms are lost
         self.waiting: Any = None  # what a restart file brought for fixes to come
-        self.skip_run = False
         self.relaxing = False  # a minimization is set up or in progress
         self.minimizing = MinSettings()
+
+    @property
+    def halted(self) -> bool:
+        """Time is up or a fix asked for the end: the run in progress stops, others are skipped."""
+        return self.timer.stops(self.step)
+
+    @halted.setter
+    def halted(self, halted: bool) -> None:
+        self.timer.passed = halted
 
     def finish(self) -> None:
         """The script ends or starts over: fixes end what they write, dumps are closed."""

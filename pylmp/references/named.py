@@ -97,7 +97,7 @@ def _is_os(scope: Scope, names: tuple[str, ...], mode: str) -> float:
 def _is_timeout(scope: Scope, names: tuple[str, ...], mode: str) -> float:
     if names != ("",):
         raise FormulaError("Invalid is_timeout() function in variable formula")
-    return 0.0
+    return float(scope.sim.timer.passed)
 
 
 def _label(function: str) -> Callable[..., float]:

@@ -157,7 +157,7 @@ KEYWORDS: dict[str, Keyword] = {
     "spcpu": Keyword("S/CPU", lambda t: t.pace("spcpu", t.sim.step), needs="r"),
     "cpuremain": Keyword("CPULeft", lambda t: t.remaining(), needs="r"),
     "part": Keyword("Part", _zero, whole=True),
-    "timeremain": Keyword("TimeoutLeft", _zero),
+    "timeremain": Keyword("TimeoutLeft", lambda t: t.sim.timer.left),
     "atoms": Keyword("Atoms", lambda t: t.sim.atoms.n, whole=True),
     "temp": Keyword("Temp", lambda t: t.temperature(), needs="t"),
     "press": Keyword("Press", lambda t: t.pressure(), needs="p"),
