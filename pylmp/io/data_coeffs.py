@@ -8,11 +8,11 @@ from pylmp.io.data_file import DataFile
 from pylmp.io.data_types import TypeMap
 from pylmp.model.labels import is_label
 from pylmp.model.simulation import Simulation
-from pylmp.model.topology import BOND, Kind
+from pylmp.model.topology import BOND, KIND, Kind
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
-CLASS2 = {
+_CLASS2 = {
     "BondBond": "angle", "BondAngle": "angle", "MiddleBondTorsion": "dihedral", "EndBondTorsion": "dihedral",
     "AngleTorsion": "dihedral", "AngleAngleTorsion": "dihedral", "BondBond13": "dihedral", "AngleAngle": "improper",
 }  # fmt: skip
@@ -103,6 +103,12 @@ def read_bonded_coeffs(section: Section, kind: Kind, count: int) -> None:
             raise ScriptError(f"Incorrect args for {name} coefficients", words[1].span, hint=f"{name}_style {style.name} has none")
         if section.set and own:
             style.coeff(Args(f"{name}_coeff", [type_word, *words[1:]], words[0], f"{name}_coeff.html"))
+
+
+def coefficients_of(name: str) -> Kind | None:
+    """The kind that a section of coefficients is about."""
+    first = name.split()[0]
+    return KIND.get(_CLASS2.get(first, first.lower()))
 
 
 def warn_style(sim: Simulation, kind: str, said: str, current: str) -> None:

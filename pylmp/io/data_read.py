@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pylmp.commands.create_box import announce
-from pylmp.io.data_coeffs import CLASS2, Section, read_bonded_coeffs, read_masses, read_pair_coeffs, warn_style
+from pylmp.io.data_coeffs import Section, coefficients_of, read_bonded_coeffs, read_masses, read_pair_coeffs, warn_style
 from pylmp.io.data_file import DataFile, Header
 from pylmp.io.data_history import History
 from pylmp.io.data_rows import read_atoms, read_velocities
@@ -22,7 +22,7 @@ from pylmp.model.atoms import MOST_SLOTS, MOST_TYPES, Atoms, Floats, Ints
 from pylmp.model.box import Box
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
-from pylmp.model.topology import BOND, KIND, KINDS, Kind
+from pylmp.model.topology import BOND, KIND, KINDS
 from pylmp.model.triclinic import Triclinic
 from pylmp.text.diagnostic import Unsupported
 
@@ -146,6 +146,7 @@ class Reader:
             kind.name: max(options.per_atom.get(kind.name, 0), header.count(f"extra {kind.name} per atom"))
             for kind in sim.style.kinds
         }
+        sim.extra_slots = dict(room)
         sim.atoms = Atoms(room.pop("bond", 0), 1, **room)
         sim.extra_special = max(options.per_atom.get("special", 0), header.count("extra special per atom"))
         sim.natoms = sim.bonds = sim.angles = sim.dihedrals = sim.impropers = sim.step = 0
@@ -153,6 +154,7 @@ class Reader:
     def _grow_box(self) -> None:
         """The box that holds the old one and the shifted new one."""
         sim, header, shift = self.sim, self.header, np.array(self.options.shift)
+        sim.extra_slots.update((kind, count) for kind, count in self.options.per_atom.items() if kind != "special")
         box = sim.box
         if box.shrinking:
             raise Unsupported("LAMMPS has read_data add in shrink-wrapped boxes, pylmp's native engines do not")
@@ -191,7 +193,7 @@ class Reader:
             read_masses(sim, file, count("atom types"), self.types)
         elif name in ("Pair Coeffs", "PairIJ Coeffs"):
             read_pair_coeffs(self._coefficients(name, style, line), count("atom types"))
-        elif name.endswith(" Coeffs") and (kind := _coefficients_of(name)) in sim.style.kinds:
+        elif name.endswith(" Coeffs") and (kind := coefficients_of(name)) in sim.style.kinds:
             assert kind is not None
             read_bonded_coeffs(self._coefficients(name, style, line), kind, count(f"{kind.name} types"))
         elif name.endswith(" Type Labels"):
@@ -287,12 +289,6 @@ class Reader:
         box.enter(framed)
         inside: Mask = (framed >= lo - edge) & (framed < hi + edge)
         return np.asarray(inside.all(axis=1))
-
-
-def _coefficients_of(name: str) -> Kind | None:
-    """The kind that a section of coefficients is about."""
-    first = name.split()[0]
-    return KIND.get(CLASS2.get(first, first.lower()))
 
 
 def _ten_bits(image: Ints) -> Ints:

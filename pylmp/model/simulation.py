@@ -79,6 +79,7 @@ class Simulation:
         self.labels = Labels()
         self.special = SpecialSettings()
         self.extra_special = 0
+        self.extra_slots: dict[str, int] = {}  # what read_data's extra/KIND/per/atom asked for, by kind
         self.neighbor = NeighborSettings(skin=self.units.skin)
         self.comm = CommSettings()
         self.communication = "brick"  # comm_style

@@ -72,6 +72,7 @@ def _header(sim: Simulation) -> dict[str, Any]:
     said |= {f"periodic {axis}": periodic for axis, periodic in zip("xyz", box.periodic, strict=True)}
     for kind in KINDS:
         said |= {kind.plural: kind.total(sim), f"{kind.name} types": kind.types(sim), f"{kind.name} per atom": atoms.slots(kind.name)}
+        said[f"extra {kind.name} per atom"] = sim.extra_slots.get(kind.name, 0)
     said |= dict(zip(("xy", "xz", "yz"), box.tilt.tolist(), strict=True))
     said["record growth"] = sum(said[f"{kind} per atom"] * (1 + ids) for kind, ids in layout.KINDS.items())
     return {name: said.get(name, 0) for name in layout.HEADER if name not in layout.OPTIONAL}

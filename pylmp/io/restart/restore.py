@@ -169,6 +169,7 @@ def _many_body(sim: Simulation, force: Force, kind: Kind | None) -> None:
 def _atoms(sim: Simulation, content: Content) -> None:
     header, read = content.header, content.atoms
     slots = {kind: header[f"{kind} per atom"] for kind in layout.KINDS}
+    sim.extra_slots = {kind: header[f"extra {kind} per atom"] for kind in layout.KINDS}
     sim.atoms = atoms = Atoms(slots.pop("bond"), header["special per atom"], **slots)
     image = read["image"].copy()
     x = read["x"].copy()
