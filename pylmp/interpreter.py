@@ -232,7 +232,7 @@ ELSEWHERE = frozenset(
     {
         "angle_write", "bond_write",
         "dihedral_write", "dump2vtk",
-        "dynamical_matrix", "geturl", "group2ndx", "info", "kim",
+        "dynamical_matrix", "geturl", "group2ndx", "kim",
         "mdi", "molecule", "neb",
         "ndx2group", "pair_write", "plugin", "prd", "python", "read_dump",
         "rerun", "tad", "temper",

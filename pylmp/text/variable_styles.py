@@ -41,6 +41,7 @@ class Variable:
     number   timer, internal
     table    atomfile: (IDs, values) of the current set; sets: the further ones
     look     getenv: reads the environment
+    told     the last text of equal, vector, format, getenv
     step, elements   vector: the step of its last evaluation, and what came out
     """
 
@@ -54,6 +55,7 @@ class Variable:
     table: Any = None
     sets: Iterator[Any] = iter(())
     look: Callable[[], str] | None = None
+    told: str | None = None
     step: int = -1
     elements: Any = None
 
@@ -142,7 +144,7 @@ def _string(args: Args, style: Word, substitute: Substitute, world: World, befor
 
 def _getenv(args: Args, style: Word, substitute: Substitute, world: World, before: Variable | None) -> Variable:
     _expect(args, style, 1, 1, "3 arguments")
-    return Variable("getenv", look=world.environment(args.word()))
+    return Variable("getenv", [args.words[args.at].text], look=world.environment(args.word()))
 
 
 def _file(args: Args, style: Word, substitute: Substitute, world: World, before: Variable | None) -> Variable | None:

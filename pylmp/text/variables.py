@@ -109,12 +109,16 @@ class Variables:
         if variable is None or variable.style in ("atom", "atomfile"):
             return None
         if variable.style == "equal":
-            return Format("%.15g")(self._number(name, scope))
-        if variable.style == "vector":
-            return f"[{','.join(shortest(value) for value in self.vector(name, scope))}]"
-        if variable.style == "format":
-            return self._formatted(name, variable, scope)
-        return variable.text()
+            variable.told = Format("%.15g")(self._number(name, scope))
+        elif variable.style == "vector":
+            variable.told = f"[{','.join(shortest(value) for value in self.vector(name, scope))}]"
+        elif variable.style == "format":
+            variable.told = self._formatted(name, variable, scope)
+        elif variable.style == "getenv":
+            variable.told = variable.text()
+        else:
+            return variable.text()
+        return variable.told
 
     def _formatted(self, name: str, variable: Variable, scope: Scope) -> str:
         other, form = variable.values
