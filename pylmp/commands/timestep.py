@@ -15,3 +15,5 @@ def timestep(sim: Simulation, args: Args) -> None:
     value = args.number()
     sim.output.clock.book(sim.step, sim.dt)
     sim.dt = value
+    for fix in sim.fixes if sim.ran else []:
+        fix.reset_dt(sim)

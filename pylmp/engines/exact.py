@@ -146,7 +146,8 @@ class Run:
         else:
             if self.breaks.flagged:
                 self.breaks.clear_flags(sim, self.forces.neighbors, self.ghosts)
-            self._call("pre_force")
+            if not sim.relaxing:
+                self._call("pre_force")
             timers.stamp("Modify")
         self.forces.pairs(sim, wanted)
         timers.stamp("Pair")

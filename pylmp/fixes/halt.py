@@ -43,7 +43,10 @@ class Halt(Fix):
         self.variable = Quantity()
         if self.attribute.text.startswith("v_"):
             self.variable = Quantity(name=self.attribute.text[2:])
-            self._check_variable(sim)
+            try:
+                self._check_variable(sim)
+            except ScriptError as error:
+                raise error.at(self.attribute.span) from None
         elif self.attribute.text not in _ATTRIBUTES:
             args.fail(
                 f"Unknown fix halt keyword {self.attribute.text}", self.attribute, hint=f"v_NAME {' '.join(_ATTRIBUTES)}"
@@ -56,9 +59,8 @@ class Halt(Fix):
         self.how, self.message, self.path = "soft", True, "."
         while len(args):
             self._keyword(args, args.word())
-        if self.attribute.text == "diskfree":
-            self._free()
-        self._hit = self._looked = -1
+        self._hit = False
+        self._looked = -1
 
     def _keyword(self, args: Args, key: Word) -> None:
         if key.text not in ("error", "message", "path"):
@@ -81,7 +83,9 @@ class Halt(Fix):
 
     def init(self, sim: Simulation) -> None:
         self._check_variable(sim)
-        self._hit = self._looked = -1
+        self._looked = -1
+        if self.attribute.text == "diskfree":
+            self._free()
         sim.asking.everyone(self._next(sim))
 
     def _next(self, sim: Simulation) -> int:
@@ -97,7 +101,7 @@ class Halt(Fix):
         if self.message:
             sim.console.both(f"{text}\n")
         sim.halted = True
-        self._hit = sim.step
+        self._hit = True
 
     def min_setup(self, sim: Simulation) -> None:
         """Nothing: there was no step yet."""
@@ -109,7 +113,8 @@ class Halt(Fix):
         self._looked = sim.step
 
     def post_run(self, sim: Simulation) -> None:
-        if self.how == "continue" and self._hit == sim.step:
+        """In LAMMPS a fix that says continue and has halted a run once lets all later ones go on, whoever halts them."""
+        if self.how == "continue" and self._hit:
             sim.halted = False
 
     # ---- attributes -----------------------------------------------------------------------------------------

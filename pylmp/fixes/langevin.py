@@ -59,6 +59,7 @@ class Langevin(Thermostat):
         self.ratio = np.ones(sim.atom_types + 1)
         self.zero = self.tally = False
         self.gjf: Gjf | None = None
+        self._wants = ""  # what point particles lack
         while len(args):
             self._option(sim, args, args.word())
         self._drag = self._noise = np.zeros(0)
@@ -90,10 +91,10 @@ class Langevin(Thermostat):
                 self.gjf = Gjf(sim, self.id, self.random, self.damp, value.text == "vfull")
         elif key.text == "omega":
             if args.yes():
-                args.fail("Fix langevin omega requires atom attribute omega", key, hint="atom_style sphere, in LAMMPS")
+                self._wants = "omega requires atom attribute omega"
         elif not args.take("no"):
             args.number()
-            args.fail("Fix langevin angmom requires atom style ellipsoid", key, hint="atom_style ellipsoid, in LAMMPS")
+            self._wants = "angmom requires atom style ellipsoid"
 
     def removed(self, sim: Simulation) -> None:
         super().removed(sim)
@@ -114,6 +115,8 @@ class Langevin(Thermostat):
 
     def init(self, sim: Simulation) -> None:
         super().init(sim)
+        if self._wants:
+            raise ScriptError(f"Fix langevin {self._wants}", hint="atoms here are points: leave it out")
         self._found = self.compute(sim) if self.temperature else None
         if self.gjf is not None:
             self.gjf.init(sim)
@@ -125,6 +128,16 @@ class Langevin(Thermostat):
             before = sim.fixes[: sim.fixes.index(self)]
             if any(fix.style.startswith("nve") for fix in before):
                 raise ScriptError("Fix langevin gjf should come before fix nve", hint="define fix langevin first")
+        self._coefficients(sim)
+
+    def reset_dt(self, sim: Simulation) -> None:
+        if self.gjf is not None:
+            self.gjf.init(sim)
+        self._coefficients(sim)
+        self.post_neighbor(sim)
+
+    def _coefficients(self, sim: Simulation) -> None:
+        """Drag and noise of each type."""
         units = sim.units
         self._drag, self._noise = np.zeros(sim.atom_types + 1), np.zeros(sim.atom_types + 1)
         for kind in range(1, sim.atom_types + 1):

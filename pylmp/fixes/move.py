@@ -168,6 +168,9 @@ class Move(Fix):
         atoms.extra[self._name] = start
         atoms.newcomers[self._name] = lambda atoms, rows: self._newcomer(sim, atoms, rows)
 
+    def reset_dt(self, sim: Simulation) -> None:
+        raise ScriptError("Resetting timestep size is not allowed with fix move", hint=f"unfix {self.id} first")
+
     @staticmethod
     def _read(args: Args, mode: str) -> Path:
         if mode == "variable":

@@ -44,6 +44,9 @@ class NVE(Fix):
             kernel(self._second).bind(atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, half, self.bit, atoms.n),
         )
 
+    def reset_dt(self, sim: Simulation) -> None:
+        self.post_neighbor(sim)
+
     def initial_integrate(self, sim: Simulation) -> None:
         self._calls[0]()
 

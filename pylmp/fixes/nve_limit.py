@@ -29,11 +29,9 @@ class NVELimit(Fix):
             args.missing("fix ID GROUP nve/limit XMAX")
         self.farthest = args.number()
         self._count = 0
-        self._limit = 0.0
 
     def init(self, sim: Simulation) -> None:
         self._count = 0
-        self._limit = (self.farthest / sim.dt) * (self.farthest / sim.dt)
 
     def _kick(self, sim: Simulation) -> tuple[NDArray[np.bool_], Floats]:
         """(members, their new velocities)."""
@@ -42,9 +40,10 @@ class NVELimit(Fix):
         v = sim.atoms.v[:n][rows]
         v += ((0.5 * sim.dt * sim.units.ftm2v) / sim.masses()[rows])[:, None] * sim.atoms.f[:n][rows]
         square = v[:, 0] * v[:, 0] + v[:, 1] * v[:, 1] + v[:, 2] * v[:, 2]
-        fast = square > self._limit
+        limit = (self.farthest / sim.dt) * (self.farthest / sim.dt)
+        fast = square > limit
         self._count += int(fast.sum())
-        v[fast] *= np.sqrt(self._limit / square[fast])[:, None]
+        v[fast] *= np.sqrt(limit / square[fast])[:, None]
         sim.atoms.v[:n][rows] = v
         return rows, v
 

@@ -59,7 +59,7 @@ class Recenter(Fix):
         if not rows.any():
             raise ScriptError(f"Fix recenter group {self.group} has no atoms", hint="a group with atoms")
         later = sim.fixes[sim.fixes.index(self) + 1 :]
-        if any(fix.integrates for fix in later):
+        if any(fix.integrates or fix.style == self.style for fix in later):
             sim.console.warning("Fix recenter should come after all other integration fixes")
         self._start = center_of_mass(sim, rows)
 

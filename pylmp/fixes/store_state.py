@@ -116,13 +116,13 @@ class StoreState(Fix):
         """What is measured was not there yet when the fix was defined."""
         if self._first:
             self._first = False
-            sim.asking.block()
             self._store(sim, lambda name: name[:2] in ("c_", "f_", "v_"))
 
     def end_of_step(self, sim: Simulation) -> None:
+        """Other than most, LAMMPS has computes evaluated anew here only if somebody else did so since the last time."""
         if self.interval:
-            with self.reading(sim, sim.step + self.every):
-                self._store(sim)
+            self._store(sim)
+            sim.asking.again(sim.step + self.every)
 
     def _store(self, sim: Simulation, wanted: Callable[[str], bool] = lambda name: True) -> None:
         rows = self.members(sim)

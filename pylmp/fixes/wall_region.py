@@ -45,9 +45,8 @@ class WallRegion(Fix):
             args.fail(f"Region {name.text} for fix wall/region does not exist", name, hint="region comes first")
         self.region = name.text
         style = args.word()
-        if style.text == "colloid":
-            args.fail("Fix wall/region colloid requires atom attribute radius", style, hint="atom_style sphere, in LAMMPS")
-        if style.text not in _LAWS:
+        self.colloid = style.text == "colloid"
+        if style.text not in (*_LAWS, "colloid"):
             args.fail(f"Unknown fix wall/region style {style.text}", style, hint=" ".join(_LAWS))
         if style.text == "morse" and len(args) != 4:
             args.fail("Illegal fix wall/region morse command", style, hint="morse D0 alpha r0 cutoff")
@@ -56,13 +55,15 @@ class WallRegion(Fix):
         *self.parameters, self.cutoff = (args.number() for _ in range(len(args)))
         if self.cutoff <= 0.0:
             args.fail("Fix wall/region cutoff <= 0.0", hint="a distance")
-        self.law = _LAWS[style.text](*self.parameters, self.cutoff)
+        self.law = _LAWS["harmonic" if self.colloid else style.text](*self.parameters, self.cutoff)
         self._energy = 0.0
         self._force = np.zeros(3)
         self._virial = np.zeros(6)
 
     def init(self, sim: Simulation) -> None:
         named(sim, self.region, "fix wall/region").init()
+        if self.colloid:
+            raise ScriptError("Fix wall/region colloid requires atom attribute radius", hint="atoms here are points")
 
     def post_force(self, sim: Simulation) -> None:
         n = sim.atoms.n

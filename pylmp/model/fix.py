@@ -93,6 +93,9 @@ class Fix:
         """Carry out a fix_modify keyword of this style alone, taking its words; False: not one."""
         return False
 
+    def reset_dt(self, sim: Simulation) -> None:
+        """The size of a step was changed after a run: the next one may have no set-up."""
+
     def min_setup(self, sim: Simulation) -> None:
         """What it does when a minimization is set up, after the forces."""
         self.min_post_force(sim)

@@ -111,14 +111,15 @@ class Cone(Shape):
         d = away(sim, x, center)
         half = 0.5 * (hi - lo)
         lo, hi = center[0, self.axis] - half, center[0, self.axis] + half
-        p = center + d
-        u, v = (d[:, k] for k in self.across)
+        p = center + d  # rounded once more, as is the way back
+        e = p - center
+        u, v = (e[:, k] for k in self.across)
         out = np.sqrt(u * u + v * v)
         along = p[:, self.axis]
         width = low_radius + (along - lo) * (high_radius - low_radius) / (hi - lo)
         inside = (out <= width) & (along >= lo) & (along <= hi)
         with np.errstate(divide="ignore", invalid="ignore"):
-            first, second = self._rim(center, d, out, low_radius, lo), self._rim(center, d, out, high_radius, hi)
+            first, second = self._rim(center, e, out, low_radius, lo), self._rim(center, e, out, high_radius, hi)
             depth = to_segment(p, first, second)
             if self.inward:
                 for rim, end in ((first, lo), (second, hi)):

@@ -145,6 +145,10 @@ class Wall(Fix):
 
     setup = post_force
 
+    def min_post_force(self, sim: Simulation) -> None:
+        """In minimizations fld makes no difference."""
+        self._apply(sim)
+
     def pre_force(self, sim: Simulation) -> None:
         if self.early:
             self._apply(sim)

@@ -113,7 +113,8 @@ def morse(depth: float, alpha: float, rest: float, cutoff: float) -> Law:
     def energy(dexp: Floats) -> Floats:
         return depth * (dexp * dexp - 2.0 * dexp)
 
-    offset = at(energy, math.exp(-alpha * (cutoff - rest)))
+    reach = cutoff - rest
+    offset = depth * (math.exp(-2.0 * alpha * reach) - 2.0 * math.exp(-alpha * reach))
 
     def law(r: Floats) -> tuple[Floats, Floats]:
         # numpy's exp rounds otherwise than the C library's
