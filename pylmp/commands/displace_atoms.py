@@ -86,7 +86,7 @@ def _move(this: _Displacement) -> None:
         amount.check(this.sim, "displace_atoms", atoms=True, missing=missing, invalid=invalid)
         if d >= this.sim.dimension:  # no complaint here, and no effect (measured)
             continue
-        delta = amount.numbers(this.sim)
+        delta = amount.numbers(this.sim, this.chosen)
         x[this.chosen, d] += delta[this.chosen] if isinstance(delta, np.ndarray) else delta
 
 

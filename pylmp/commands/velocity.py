@@ -202,16 +202,17 @@ def _scale(sim: Simulation, args: Args, words: list[Word], options: Options, cho
 
 
 def _set(sim: Simulation, args: Args, words: list[Word], options: Options, chosen: Chosen) -> None:
-    values = [_component(sim, args, word, d, options) for d, word in enumerate(words)]
+    values = [_component(sim, args, word, d, options, chosen) for d, word in enumerate(words)]
     v = sim.atoms.v[: sim.atoms.n]
     for d, value in enumerate(values):
         if value is not None:
-            new = value[chosen] if isinstance(value, np.ndarray) else value
-            v[chosen, d] = v[chosen, d] + new if options.sum else new
+            v[chosen, d] = v[chosen, d] + value if options.sum else value
 
 
-def _component(sim: Simulation, args: Args, word: Word, axis: int, options: Options) -> Floats | float | None:
-    """A number in lattice units, a variable's number or numbers (n,) as they are, None for NULL."""
+def _component(
+    sim: Simulation, args: Args, word: Word, axis: int, options: Options, chosen: Chosen
+) -> Floats | float | None:
+    """A number in lattice units, a variable's number or numbers of the chosen atoms as they are, None for NULL."""
     if word.text == "NULL":
         return None
     flat = axis == 2 and sim.dimension == 2
@@ -226,7 +227,7 @@ def _component(sim: Simulation, args: Args, word: Word, axis: int, options: Opti
     if flat:
         args.fail("Cannot set variable z velocity for 2d simulation", word)
     if style in ("atom", "atomfile"):
-        return Variables(sim).per_atom(word.text[2:])
+        return Variables(sim).per_atom(word.text[2:], np.flatnonzero(chosen))
     if style not in EQUAL_STYLES:
         args.fail("Variable for velocity set is invalid style", word, hint="an equal-style or atom-style variable")
     return Variables(sim).number(word.text[2:])

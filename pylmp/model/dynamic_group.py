@@ -1,7 +1,7 @@
 """Groups whose members change: the internal fix GROUP that LAMMPS keeps for each of them.
 
-Source: LAMMPS manual, group.html. Membership is renewed at set-up, and on multiples of ``every``
-once positions have moved and, at a rebuild, were wrapped, before forces (measured).
+Source: LAMMPS manual, group.html. Membership is renewed at set-up and on multiples of ``every``, once the forces are there, before
+any fix acts on them (measured).
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ class DynamicGroup(Fix):
     """group parent: members of it that satisfy all of region, variable. target: the bit of the dynamic group."""
 
     style = "GROUP"
+    first = True
     internal = True
 
     def __init__(self, sim: Simulation, name: Word, args: Args) -> None:
@@ -80,10 +81,10 @@ class DynamicGroup(Fix):
                     hint="an atom-style variable",
                 )
 
-    def setup_pre_force(self, sim: Simulation) -> None:
+    def setup(self, sim: Simulation) -> None:
         self.renew(sim)
 
-    def pre_force(self, sim: Simulation) -> None:
+    def post_force(self, sim: Simulation) -> None:
         if sim.step % self.step_every == 0:
             self.renew(sim)
 
@@ -95,6 +96,9 @@ class DynamicGroup(Fix):
             chosen = chosen & sim.regions[self.region].inside(atoms.x[: atoms.n])
         if self.variable:
             with self.reading(sim, sim.step + self.step_every):
-                chosen = chosen & (Variables(sim).per_atom(self.variable) != 0.0)
+                rows = np.flatnonzero(self.members(sim))
+                wanted = np.zeros(atoms.n, bool)
+                wanted[rows] = Variables(sim).per_atom(self.variable, rows) != 0.0
+                chosen = chosen & wanted
         mask = atoms.mask[: atoms.n]
         mask[:] = np.where(chosen, mask | self.target, mask & ~self.target)
