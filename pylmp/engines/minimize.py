@@ -20,7 +20,7 @@ class Relaxation:
     def __init__(self, run: Run) -> None:
         self.run = run
         self.sim = run.sim
-        self.fixes = [fix for fix in self.sim.fixes if fix.minimizes]
+        self.fixes = sorted((fix for fix in self.sim.fixes if fix.minimizes), key=lambda fix: not fix.leads)
         self._wanted = ENERGY
 
     def setup(self, plan: MinPlan) -> None:

@@ -24,7 +24,7 @@ class DynamicGroup(Fix):
     """group parent: members of it that satisfy all of region, variable. target: the bit of the dynamic group."""
 
     style = "GROUP"
-    first = True
+    leads = minimizes = True
     internal = True
 
     def __init__(self, sim: Simulation, name: Word, args: Args) -> None:
@@ -83,6 +83,12 @@ class DynamicGroup(Fix):
 
     def setup(self, sim: Simulation) -> None:
         self.renew(sim)
+
+    def min_setup(self, sim: Simulation) -> None:
+        self.renew(sim)
+
+    def min_post_force(self, sim: Simulation) -> None:
+        """A minimization keeps the members it began with (measured)."""
 
     def post_force(self, sim: Simulation) -> None:
         if sim.step % self.step_every == 0:

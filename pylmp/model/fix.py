@@ -41,7 +41,7 @@ class Fix:
     couples       its scalar is energy exchanged with a heat bath (thermo keyword ecouple)
     extensive_scalar extensive_vector   thermo divides them by the number of atoms when norm is on; a tuple: each component
     length        components of its vector
-    first         its post_force comes before that of all others, its setup before all others and once more in its turn
+    leads         its post_force comes before that of all others, its setup before all others and once more in its turn
     time_dependent   the step number cannot be reset while it is there
     compatible_every   what it offers is current on multiples of this step count only
     """
@@ -60,7 +60,7 @@ class Fix:
     in_energy = in_virial = False
     virial_shares: Any = None
     compatible_every: int = 1
-    first: ClassVar[bool] = False
+    leads: ClassVar[bool] = False
     every: int = 1
     internal = False  # made by a style, not by a fix command
     born = 0
@@ -134,9 +134,9 @@ class Fix:
 
 def hooks(fixes: list[Fix], name: str) -> list[Any]:
     """The bound methods called name of those fixes that define it, in order."""
-    early = [fix for fix in fixes if fix.first]
+    early = [fix for fix in fixes if fix.leads]
     if name == "post_force":
-        fixes = early + [fix for fix in fixes if not fix.first]
+        fixes = early + [fix for fix in fixes if not fix.leads]
     elif name == "setup":
         fixes = early + fixes
     return [getattr(fix, name) for fix in fixes if hasattr(fix, name)]
