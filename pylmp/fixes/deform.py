@@ -63,6 +63,8 @@ class Deform(Fix):
         for k, change in self.changes.items():
             if k < 3 and any(letter in "sm" for letter in sim.box.boundary[k]):
                 args.fail("Cannot use fix deform on a shrink-wrapped boundary", args.owner)
+            if k > 2 and any(letter in "sm" for letter in sim.box.boundary[ALONG[k][1]]):
+                args.fail("Cannot use fix deform tilt on a shrink-wrapped 2nd dim", args.owner)
             if lattice:
                 change.scale(sim.spacing[ALONG[k][0]])
         self.shares = volume_shares(args, self.changes)

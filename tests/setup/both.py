@@ -151,7 +151,7 @@ def lines(log: str) -> list[str]:
             break
         if line == "log none":
             continue
-        if _TIMED.match(line):
+        if _TIMED.match(line) or line.startswith("For more information"):
             continue
         line = re.sub(r"CPU = [\d.]+ seconds", "CPU = T seconds", line)
         kept.append(re.sub(r" \(src/.*\)$", "", line))
