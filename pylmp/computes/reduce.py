@@ -9,18 +9,16 @@ sumabs of several inputs is undefined there; here it is the sum.
 from __future__ import annotations
 
 import re
-from typing import Any
 
 import numpy as np
 
+from pylmp.model.atom_inputs import AtomInput, read_atom_input
 from pylmp.model.atoms import Floats
-from pylmp.model.compute import Compute, current
-from pylmp.model.reference import KINDS, expand
+from pylmp.model.compute import Compute
+from pylmp.model.reference import expand
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import total
-from pylmp.model.variables import Variables
-from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
 _BIG = 1.0e20
@@ -97,73 +95,25 @@ class Reduce(Compute):
             args.fail("Compute {} replace columns must be different", pair[1])
         self.replace[first] = second
 
-    def _input(self, sim: Simulation, args: Args, word: Word) -> tuple[str, str, int]:
-        """(kind, name, column from 1, 0 for a vector); kind is plain, c or f."""
-        if word.text in _PLAIN:
-            if self.local_inputs:
-                args.fail("Compute {} inputs must be all local", word, hint="c_ID or f_ID with local values")
-            return "plain", word.text, 0
-        found = re.fullmatch(r"([cfv])_([A-Za-z0-9_]+)(?:\[(\d+)\])?", word.text)
-        if not found:
-            args.illegal(word)
-        kind, name = found[1], found[2]
-        if kind == "v":
-            return self._variable(sim, args, word, name)
-        source = self._source(sim, kind, name)
-        what, shape = "compute" if kind == "c" else "fix", "local" if self.local_inputs else "per-atom"
-        if source is None:
-            args.fail(f"{what.capitalize()} ID {name} for {args.what} does not exist", word)
-        if getattr(source, shape.replace("-", "_"), None) is None:
-            hint = "inputs local" if not self.local_inputs and hasattr(source, "local") else ""
-            args.fail(f"{args.what.capitalize()} {what} {name} does not calculate {shape} values", word, hint=hint)
-        column, columns = int(found[3] or 0), int(getattr(source, "columns", 0))
-        columns = 0 if columns == 1 else columns
-        if column and not columns:
-            args.fail(f"{args.what.capitalize()} {what} {name} does not calculate a {shape} array", word, hint=f"{kind}_{name}")
-        if columns and not column:
-            args.fail(f"{args.what.capitalize()} {what} {name} does not calculate a {shape} vector", word, hint=f"{word.text}[1]")
-        if column > columns:
-            args.fail(f"{args.what.capitalize()} {what} {name} array is accessed out-of-range", word, hint=f"1 to {columns}")
-        return kind, name, column
-
-    def _variable(self, sim: Simulation, args: Args, word: Word, name: str) -> tuple[str, str, int]:
-        style = Variables(sim).style(name)
-        if style is None:
-            args.fail(f"Variable name {name} for {args.what} does not exist", word, hint=f"variable {name} atom ...")
+    def _input(self, sim: Simulation, args: Args, word: Word) -> AtomInput | str:
+        """Values of others, or the name of a property of atoms."""
+        if word.text not in _PLAIN:
+            return read_atom_input(sim, args, word, "local" if self.local_inputs else "per_atom")
         if self.local_inputs:
             args.fail("Compute {} inputs must be all local", word, hint="c_ID or f_ID with local values")
-        if style not in ("atom", "atomfile"):
-            args.fail(f"{args.what.capitalize()} variable {name} is not atom-style variable", word)
-        return "v", name, 0
-
-    @staticmethod
-    def _source(sim: Simulation, kind: str, name: str) -> Any:
-        if kind == "c":
-            return sim.computes.get(name)
-        return next((fix for fix in sim.fixes if fix.id == name), None)
+        return word.text
 
     def init(self, sim: Simulation) -> None:
         """What the inputs name is still there."""
-        for kind, name, _ in self.inputs:
-            there = Variables(sim).style(name) if kind == "v" else self._source(sim, kind, name)
-            if kind != "plain" and there is None:
-                what = "Variable name" if kind == "v" else f"{KINDS[kind].capitalize()} ID"
-                raise ScriptError(f"{what} {name} for compute {self.style} does not exist", hint="it was deleted")
+        for item in self.inputs:
+            if isinstance(item, AtomInput):
+                item.check(sim, f"compute {self.style}")
 
-    def _values(self, sim: Simulation, item: tuple[str, str, int]) -> Floats:
-        kind, name, column = item
-        if kind == "plain":
-            array, axis = _PLAIN[name]
-            return np.asarray(getattr(sim.atoms, array)[: sim.atoms.n, axis][self.members(sim)])
-        if kind == "v":
-            return Variables(sim).per_atom(name, np.flatnonzero(self.members(sim)))
-        source = self._source(sim, kind, name)
-        if sim.step % getattr(source, "compatible_every", 1):
-            raise ScriptError(f"Fix {name} used in compute {self.style} not computed at compatible time")
-        values = current(sim, source, "local" if self.local_inputs else "per_atom")
-        if column:
-            values = values[:, column - 1]
-        return np.asarray(values if self.local_inputs else values[self.members(sim)])
+    def _values(self, sim: Simulation, item: AtomInput | str) -> Floats:
+        if isinstance(item, AtomInput):
+            return item.values(sim, self.members(sim), f"compute {self.style}")
+        array, axis = _PLAIN[item]
+        return np.asarray(getattr(sim.atoms, array)[: sim.atoms.n, axis][self.members(sim)])
 
     def _reduce(self, values: Floats) -> float:
         mode = self.mode

@@ -27,12 +27,12 @@ ELSEWHERE = {
     "rigid/small rigid/nve rigid/nvt setforce/spin shake shardlow spring/chunk spring/rg srd store/force "
     "temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
     "wall/srd widom",
-    "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom chunk/atom chunk/spread/atom cluster/atom "
-    "cna/atom com/chunk contact/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
-    "event/displace fragment/atom gyration/chunk heat/flux hexorder/atom improper/local inertia/chunk  "
-    "msd/chunk msd/nongauss nbond orientorder/atom pressure/cylinder property/chunk  "
-    "reduce/chunk slice stress/mop temp/asphere temp/chunk temp/deform temp/profile "
-    "temp/ramp temp/rotate temp/sphere torque/chunk vcm/chunk voronoi/atom xrd",
+    "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom cluster/atom "
+    "cna/atom contact/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
+    "event/displace fragment/atom heat/flux hexorder/atom improper/local inertia/chunk  "
+    "msd/nongauss nbond orientorder/atom pressure/cylinder   "
+    "slice stress/mop temp/asphere temp/chunk temp/deform temp/profile "
+    "temp/ramp temp/rotate temp/sphere torque/chunk voronoi/atom xrd",
     "dump": "dcd grid grid/vtk h5md molfile netcdf netcdf/mpiio vtk xtc",
 }  # fmt: skip
 

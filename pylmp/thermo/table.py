@@ -65,6 +65,8 @@ class Thermo:
         """
         result = current(self.sim, found.source(self.sim), values)
         for k in at:
+            if k >= len(result) and found.kind == "c":
+                raise ScriptError(f"Thermo compute {values} is accessed out-of-range", hint=f"it has {len(result)} rows now")
             if k >= len(result):
                 return 0.0
             result = result[k]

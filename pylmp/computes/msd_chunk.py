@@ -1,0 +1,48 @@
+"""compute ID GROUP msd/chunk CHUNK-ID: squared displacement of each chunk's center of mass since the first evaluation's run began.
+
+Columns x, y, z, total. Source: LAMMPS manual, compute_msd_chunk.html.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pylmp.model.atoms import Floats
+from pylmp.model.chunks import OfChunks, per_mass, sums
+from pylmp.model.motion import unwrapped
+from pylmp.model.registry import COMPUTES
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError
+from pylmp.text.words import Args
+
+
+@COMPUTES.register("msd/chunk")
+class MeanSquaredDisplacementOfChunks(OfChunks):
+    style = "msd/chunk"
+    columns = 4
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        if len(args) != 1:
+            args.fail("Incorrect number of arguments for compute msd/chunk", args.owner, hint="the ID of a compute chunk/atom")
+        super().__init__(sim, identity, group, bit, args)
+        self.start: Floats | None = None
+
+    def setup(self, sim: Simulation) -> None:
+        """Where the centers are when the first run begins."""
+        if self.start is None:
+            self.start = self._centers(sim)
+
+    def _centers(self, sim: Simulation) -> Floats:
+        rows, ids, count = self.chunked(sim)
+        m = sim.masses()[rows]
+        return per_mass(sums(ids, unwrapped(sim, rows) * m[:, None], count), sums(ids, m, count))
+
+    def array(self, sim: Simulation) -> Floats:
+        """(chunks, 4)"""
+        now = self._centers(sim)
+        if self.start is None:
+            self.start = now
+        if len(now) != len(self.start):
+            raise ScriptError("Compute msd/chunk nchunk is not static", hint="compute chunk/atom ... nchunk once")
+        x, y, z = (now - self.start).T
+        return np.stack([x * x, y * y, z * z, x * x + y * y + z * z], axis=1)
