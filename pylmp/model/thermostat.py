@@ -72,9 +72,13 @@ class Thermostat(Fix):
             args.fail(self.unknown.format(word.text), word)
         if not isinstance(found, Temperature):
             args.fail(f"Fix_modify temperature compute {word.text} does not compute temperature", word, hint="compute temp")
+        self.warn_group(sim, found)
+        return True
+
+    def warn_group(self, sim: Simulation, found: Any) -> None:
+        """The compute is of another group than the fix."""
         if found.bit != self.bit:
             sim.console.warning(f"Group for fix_modify temp != fix group: {self.group} vs {found.group}")
-        return True
 
     def init(self, sim: Simulation) -> None:
         self.start.check(sim, f"fix {self.style}", atoms=self.per_atom, missing="Variable name {} for {} does not exist")

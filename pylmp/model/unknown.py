@@ -22,7 +22,7 @@ ELSEWHERE = {
     "improper": "amoeba class2 cossq cvff distance distharm fourier harmonic hybrid inversion/harmonic ring sqdistharm umbrella",
     "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo balance bond/break bond/create "
     "bond/react bond/swap box/relax controller deposit drag dt/reset efield evaporate external flow/gauss freeze gcmc gravity "
-    "heat langevin/drude lineforce msst neb nph npt nve/noforce nve/sphere nvk nvt nvt/sllod orient/fcc "
+    "heat langevin/drude lineforce msst neb nph npt nve/noforce nve/sphere nvk nvt/sllod orient/fcc "
     "oneway planeforce poems pour press/berendsen property/atom python/invoke qeq/point rattle restrain rigid "
     "rigid/small rigid/nve rigid/nvt setforce/spin shake shardlow spring/chunk spring/rg srd store/force "
     "temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
