@@ -16,6 +16,7 @@ from pylmp.dumps.frame import Field
 from pylmp.model.atoms import Ints
 from pylmp.model.registry import DUMPS
 from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.printf import Format
 from pylmp.text.words import Args
 
@@ -41,8 +42,11 @@ class DumpCfg(DumpCustom):
         self.fields = [replace(mass, usual=Format("%f")), ATTRIBUTES["element"], *rest]
         if self.unwrapped:
             self.fields[2:5] = [replace(field, values=_drawn(field)) for field in self.fields[2:5]]
+
+    def check(self, sim: Simulation) -> None:
+        super().check(sim)
         if not self.file.one_a_frame:
-            args.fail("Dump cfg requires one snapshot per file", args.owner, hint="a name with *")
+            raise ScriptError("Dump cfg requires one snapshot per file", hint="a name with *")
 
     def cell_formats(self) -> list[Format]:
         """Mass and name have a line each."""
