@@ -234,7 +234,7 @@ ELSEWHERE = frozenset(
         "dihedral_write", "dump2vtk",
         "dynamical_matrix", "geturl", "group2ndx", "kim",
         "mdi", "molecule", "neb",
-        "ndx2group", "pair_write", "plugin", "prd", "python", "read_dump",
+        "ndx2group", "pair_write", "plugin", "prd", "python",
         "rerun", "tad", "temper",
         "thermo_log", "third_order", "write_coeff",
     }
