@@ -121,6 +121,11 @@ class Dump:
         elif self.measures:
             sim.asking.everyone(self.due)
 
+    def jump(self, sim: Simulation) -> None:
+        """The step number was set: a frame may be due now."""
+        now = isinstance(self.schedule.every, int) and self.schedule.time is None and sim.step % self.schedule.every == 0
+        self.due = sim.step if now else self.schedule.following(sim, self.id, started=True)
+
     def write_due(self, sim: Simulation) -> None:
         """Write the frame of the current step in a block of its own, unless it was written; schedule the next one."""
         if self._last == sim.step:

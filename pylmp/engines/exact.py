@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from types import FrameType
 from typing import Any, TypeVar
 
@@ -48,6 +49,12 @@ class Exact:
         relaxation = Relaxation(sim.lists)
         relaxation.setup(plan)
         return sim.lists.timed(lambda: relaxation.iterate(plan))
+
+    def replay(self, sim: Simulation, scene: Scene, frames: Iterator[None]) -> RunReport:
+        """Lists, forces and output of each state."""
+        sim.lists = Run(sim)
+        count, report = sim.lists.replay(frames)
+        return replace(report, steps=count)
 
 
 class Run:
@@ -157,6 +164,36 @@ class Run:
             self.reverse()
             timers.stamp("Comm")
 
+    def replay(self, frames: Iterator[None]) -> tuple[int, RunReport]:
+        """Set up anew for each of frames, without sorting; write what is due. Returns how many there were."""
+        sim = self.sim
+
+        def loop() -> int:
+            count = 0
+            for count, _ in enumerate(frames, 1):
+                sim.init_modify()
+                self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
+                ghost_cutoff(sim, warn=True, setup=True)
+                self._rebuild(setup=True, sort=False)
+                self.builds = 0
+                self._forces(sim.asking.take(sim.step), setup=True)
+                for compute in sim.computes.values():
+                    compute.setup(sim)
+                for hook in hooks(sim.fixes, "setup"):
+                    hook(sim)
+                self._call("end_of_step")
+                if count == 1:
+                    sim.output.setup(sim)
+                    continue
+                sim.output.jump(sim)
+                if sim.output.due(sim):
+                    sim.output.write(sim)
+            sim.output.close(sim)
+            return count
+
+        report, count = self.timed(loop)
+        return count, report
+
     # ---- neighbor lists -------------------------------------------------------------------------------------
 
     def _must_rebuild(self) -> bool:
@@ -176,7 +213,7 @@ class Run:
             self.dangerous += 1
         return moved
 
-    def _rebuild(self, setup: bool) -> None:
+    def _rebuild(self, setup: bool, sort: bool = True) -> None:
         """Wrap, sort, ghosts, lists, in LAMMPS's order; up to the ghosts in frame coordinates."""
         sim, atoms = self.sim, self.sim.atoms
         for listed in [] if setup else self.forces.bonds:
@@ -189,7 +226,7 @@ class Run:
         sim.box.wrap(atoms)
         sim.box.shrink(atoms)
         remove_lost(sim)
-        if sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0):
+        if sort and sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0):
             if setup:
                 self.sorter.lay_out(sim)
             if setup or sim.step >= self.sorter.next:
@@ -201,7 +238,8 @@ class Run:
         self.timers.stamp("Comm")
         if setup:
             warn_image_flags(sim)
-            warn_small_box(sim)
+            if sort:
+                warn_small_box(sim)
         self.forces.rebuild(sim, cutoff)
         self.occasional.forget()
         self.refresh = self.ghosts.bind_refresh(sim)

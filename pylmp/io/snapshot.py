@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -146,7 +145,7 @@ class Reader:
                 kinds.add((ending in _SCALED, ending not in _UNWRAPPED))
         if len(kinds) > 1:
             raise ScriptError("Read_dump xyz fields do not have consistent scaling/wrapping", manual=MANUAL)
-        scaled, wrapped = kinds.pop() if kinds else (False, True)
+        scaled, wrapped = kinds.pop() if kinds else (False, False)  # without coordinates LAMMPS takes them for unwrapped
         if scaled and snapshot.tilt is not None and not all(axis in columns for axis in PLACES):
             raise ScriptError("All read_dump x,y,z fields must be specified for scaled, triclinic coords", manual=MANUAL)
         return scaled, wrapped

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Protocol
 
@@ -47,6 +48,10 @@ class Engine(Protocol):
 
     def minimize(self, sim: Simulation, scene: Scene, plan: MinPlan) -> tuple[RunReport, MinReport]:
         """Move the atoms to a minimum of the energy."""
+        ...
+
+    def replay(self, sim: Simulation, scene: Scene, frames: Iterator[None]) -> RunReport:
+        """Forces and output of each state that frames makes sim's, one after the other."""
         ...
 
     def run(self, sim: Simulation, scene: Scene, plan: RunPlan) -> RunReport:

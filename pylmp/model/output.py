@@ -57,7 +57,7 @@ class Output:
         self._timeless = False
         self.restarts: Any = None  # the schedule of the restart command
         self._due = -1
-        self._thermo_due = self._thermo_written = -1
+        self._thermo_due = self._thermo_written = self._thermo_first = -1
 
     @property
     def thermo(self) -> Any:
@@ -106,7 +106,7 @@ class Output:
         """Write what is due before the first step of a run: header, first thermo line, dump frames."""
         sim.asking.block()
         self.thermo.begin(memory=self._with_setup)
-        self._thermo_written = -1
+        self._thermo_written, self._thermo_first = -1, sim.step
         self._schedule_thermo(sim)
         for dump in self.dumps.values():
             dump.setup(sim)
@@ -115,6 +115,16 @@ class Output:
         self._find_due()
         sim.console.flush()
         self.started = (time.perf_counter(), time.process_time())
+
+    def jump(self, sim: Simulation) -> None:
+        """The step number was set (rerun): what is due next, this step included."""
+        following = -(-sim.step // self.every) * self.every if self.every else self.last
+        self._thermo_due = min(following, self.last)
+        for dump in self.dumps.values():
+            dump.jump(sim)
+        if self.restarts is not None:
+            self.restarts.jump(sim)
+        self._find_due()
 
     def write(self, sim: Simulation) -> None:
         """Write what is due at sim.step: the thermo line, then dump frames."""
@@ -129,6 +139,12 @@ class Output:
         if self.restarts is not None and self.restarts.due == sim.step:
             self.restarts.write(sim)
         self._find_due()
+
+    def close(self, sim: Simulation) -> None:
+        """The last snapshot of a rerun is always in the thermo table."""
+        if sim.step not in (self._thermo_written, self._thermo_first):
+            sim.asking.block()
+            self.thermo.line()
 
     def write_all(self, sim: Simulation) -> None:
         """Write everything at sim.step, the last one of a minimization, unless it was just written."""

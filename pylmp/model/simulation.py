@@ -202,6 +202,11 @@ class Simulation:
                 raise ScriptError(
                     f"Not all per-type masses are set. Type {kind} is missing.", hint=f"mass {kind} 1.0", manual="mass.html"
                 )
+        self.init_modify()
+        check_neighbor_settings(self)
+
+    def init_modify(self) -> None:
+        """What fixes, computes and regions check; any compute may be wanted at this step."""
         if self.waiting is not None:
             self.waiting.drop(self)
         self.box.deforming = any(fix.changes_box for fix in self.fixes)
@@ -216,7 +221,6 @@ class Simulation:
             compute.ready = True
         self.asking.init(self.step)
         check_integration(self)
-        check_neighbor_settings(self)
 
     def _init_bonded(self, kind: Kind) -> None:
         if kind.style(self) is not None:

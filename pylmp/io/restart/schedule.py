@@ -75,6 +75,13 @@ class Restarts:
         for series in self.all:
             series.set_due(sim, first=True)
 
+    def jump(self, sim: Simulation) -> None:
+        """The step number was set: a file may be due now."""
+        for series in self.all:
+            series.set_due(sim, first=False)
+            if series.every > 0 and sim.step % series.every == 0:
+                series.due = sim.step
+
     def write_all(self, sim: Simulation) -> None:
         """The last step of a minimization: write all there is."""
         for series in self.all:
