@@ -8,12 +8,12 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from types import FrameType
 from typing import Any, TypeVar
 
 from pylmp.engines.force_field import ForceField
 from pylmp.engines.minimize import Relaxation
+from pylmp.engines.replay import replay
 from pylmp.engines.timers import Timers
 from pylmp.model.bondlist import Breaks
 from pylmp.model.engine import RunPlan, RunReport
@@ -53,8 +53,7 @@ class Exact:
     def replay(self, sim: Simulation, scene: Scene, frames: Iterator[None]) -> RunReport:
         """Lists, forces and output of each state."""
         sim.lists = Run(sim)
-        count, report = sim.lists.replay(frames)
-        return replace(report, steps=count)
+        return replay(sim.lists, frames)
 
 
 class Run:
@@ -99,7 +98,12 @@ class Run:
         self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
         sim.console.screen(title)
         ghost_cutoff(sim, warn=True, setup=True)
-        self._rebuild(setup=True)
+        self.start_over(sort=True)
+
+    def start_over(self, sort: bool) -> None:
+        """New lists, and forces as a set-up sums them."""
+        sim = self.sim
+        self._rebuild(setup=True, sort=sort)
         self.builds = self.dangerous = 0
         self._forces(sim.asking.take(sim.step), setup=True)
         for compute in sim.computes.values():
@@ -111,14 +115,14 @@ class Run:
         """Velocity Verlet: half kick and drift, neighbors, forces, half kick."""
         sim, timers = self.sim, self.timers
         sim.step += 1
-        self._call("initial_integrate")
-        self._call("post_integrate")
+        self.call("initial_integrate")
+        self.call("post_integrate")
         timers.stamp("Modify")
         self.renew()
         self.forces_at(sim.asking.take(sim.step))
-        self._call("post_force")
-        self._call("final_integrate")
-        self._call("end_of_step")
+        self.call("post_force")
+        self.call("final_integrate")
+        self.call("end_of_step")
         timers.stamp("Modify")
 
     def renew(self) -> None:
@@ -134,7 +138,7 @@ class Run:
         """Forces of the present positions, and what is wanted besides (ENERGY | VIRIAL | ...)."""
         self._forces(wanted, setup=False)
 
-    def _call(self, name: str) -> None:
+    def call(self, name: str) -> None:
         sim = self.sim
         for hook in self.hooks[name]:
             if name == "end_of_step" and sim.step % hook.__self__.every:
@@ -154,7 +158,7 @@ class Run:
             if self.breaks.flagged:
                 self.breaks.clear_flags(sim, self.forces.neighbors, self.ghosts)
             if not sim.relaxing:
-                self._call("pre_force")
+                self.call("pre_force")
             timers.stamp("Modify")
         self.forces.pairs(sim, wanted)
         timers.stamp("Pair")
@@ -163,36 +167,6 @@ class Run:
         if sim.newton_pair or sim.newton_bond:
             self.reverse()
             timers.stamp("Comm")
-
-    def replay(self, frames: Iterator[None]) -> tuple[int, RunReport]:
-        """Set up anew for each of frames, without sorting; write what is due. Returns how many there were."""
-        sim = self.sim
-
-        def loop() -> int:
-            count = 0
-            for count, _ in enumerate(frames, 1):
-                sim.init_modify()
-                self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
-                ghost_cutoff(sim, warn=True, setup=True)
-                self._rebuild(setup=True, sort=False)
-                self.builds = 0
-                self._forces(sim.asking.take(sim.step), setup=True)
-                for compute in sim.computes.values():
-                    compute.setup(sim)
-                for hook in hooks(sim.fixes, "setup"):
-                    hook(sim)
-                self._call("end_of_step")
-                if count == 1:
-                    sim.output.setup(sim)
-                    continue
-                sim.output.jump(sim)
-                if sim.output.due(sim):
-                    sim.output.write(sim)
-            sim.output.close(sim)
-            return count
-
-        report, count = self.timed(loop)
-        return count, report
 
     # ---- neighbor lists -------------------------------------------------------------------------------------
 
@@ -220,7 +194,7 @@ class Run:
             listed.copy_back(sim)
         self.breaks.edit_special(sim)
         if not setup:
-            self._call("pre_exchange")
+            self.call("pre_exchange")
         atoms.clear_ghosts()
         sim.box.enter(atoms.x[: atoms.n])
         sim.box.wrap(atoms)
@@ -246,7 +220,7 @@ class Run:
         self.reverse = self.ghosts.bind_reverse(sim)
         self.ago = 0
         self.builds += 1
-        self._call("post_neighbor")
+        self.call("post_neighbor")
         self.timers.stamp("Neigh")
 
     # ---- the loop -------------------------------------------------------------------------------------------
@@ -277,7 +251,7 @@ class Run:
         finally:
             restore()
         self.breaks.edit_special(sim)
-        self._call("post_run")
+        self.call("post_run")
         warn_small_box(sim)
         report = RunReport(
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections, processor=self.timers.processor,
