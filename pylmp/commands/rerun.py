@@ -44,7 +44,7 @@ def rerun(sim: Simulation, args: Args) -> None:
     assert sim.engine is not None
     sim.begin = plan.start if plan.start >= 0 else plan.first
     sim.end = plan.stop if plan.stop >= 0 else plan.last
-    sim.output.begin(sim.step, plan.stop if plan.stop >= 0 else plan.last, True)
+    sim.output.begin(sim.begin, plan.stop if plan.stop >= 0 else plan.last, True, timeless=True)
     try:
         warn_motionless(sim)
         initialise(sim)

@@ -73,7 +73,7 @@ class Output:
         self._thermo = thermo
 
     def begin(self, first: int, last: int, setup: bool, timeless: bool = False) -> None:
-        """A run from step first to step last begins; its set-up, if there is one, comes next. timeless: it is a minimization."""
+        """A run from step first to step last begins; its set-up, if there is one, comes next. timeless: its steps take no time (minimize, rerun)."""
         self.first, self.last, self.running = first, last, True
         self._with_setup = setup
         self._timeless = timeless
