@@ -17,8 +17,6 @@ def angle_coeff(sim: Simulation, args: Args) -> None:
 def set_coefficients(sim: Simulation, args: Args, kind: Kind) -> None:
     """What the commands of three kinds do alike."""
     what, style = kind.name, kind.style(sim)
-    if kind not in sim.style.kinds:
-        args.fail(f"{what.capitalize()}_coeff command when no {kind.plural} allowed", args.owner, hint="another atom_style")
     if style is None:
         args.fail(f"{what.capitalize()}_coeff command before {what}_style is defined", args.owner, hint=f"{what}_style zero")
     args.need(1)

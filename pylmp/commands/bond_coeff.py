@@ -10,8 +10,6 @@ from pylmp.text.words import Args
 @command("bond_coeff", needs_box=True)
 def bond_coeff(sim: Simulation, args: Args) -> None:
     """Set coefficients for a range of bond types."""
-    if not sim.has_bonds:
-        args.fail("Bond_coeff command when no bonds allowed", args.owner, hint="atom_style bond")
     if sim.bond is None:
         args.fail("Bond_coeff command before bond_style is defined", args.owner, hint="bond_style comes first")
     args.need(1)
