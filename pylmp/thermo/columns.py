@@ -62,7 +62,7 @@ def _measured(thermo: Thermo, args: Args, word: Word, found: Reference) -> Calla
     at = tuple(k - 1 for k in found.index)
     if at:
         sizes = [source.length] if values == "vector" else [source.length, source.columns]
-        varying = getattr(source, "varying", False)
+        varying = getattr(source, "varying", False) or sizes[0] == 0  # rows are known once there are some
         if any(k < 0 or (k >= size and not (varying and n == 0)) for n, (k, size) in enumerate(zip(at, sizes, strict=True))):
             args.fail(f"Thermo custom {what} {name} {values} is accessed out-of-range", word, hint=f"1 to {sizes}")
     return lambda t: t.measure(found, values, at)
