@@ -10,6 +10,7 @@ from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.topology import KIND, KINDS
 from pylmp.model.triclinic import Triclinic
+from pylmp.text.diagnostic import Unsupported
 from pylmp.text.number import eight
 from pylmp.text.words import Args
 
@@ -36,6 +37,8 @@ def create_box(sim: Simulation, args: Args) -> None:
     types, name = args.integer(), args.word()
     if sim.has_box:
         args.fail("Cannot create_box after simulation box is defined", args.owner, hint="clear starts anew")
+    if name.text == "NULL":
+        raise Unsupported("LAMMPS has general triclinic boxes, pylmp's native engines do not", name.span, hint="region prism")
     region = sim.regions.get(name.text)
     if region is None:
         args.fail(f"Create_box region {name.text} does not exist", name)

@@ -15,6 +15,7 @@ from contextlib import nullcontext
 
 import numpy as np
 
+from pylmp.model.atoms import ten_bits
 from pylmp.model.deformation import ALONG, Change, Start, pack, read_change, unpack, volume_shares
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES
@@ -43,14 +44,15 @@ class Deform(Fix):
             if k > 2 and not sim.box.triclinic:
                 args.fail("Fix deform tilt factors require triclinic box", name, hint="region prism, or change_box triclinic")
             self.changes[k] = read_change(args, tilt=k > 2)
-        self.remap, self.flips, lattice = "x", True, True
+        self.remap, lattice = "x", True
+        self.flips = any(k > 2 for k in self.changes)
         while len(args):
             key = args.word()
             if key.text not in ("remap", "flip", "units"):
                 args.fail(f"Unknown fix deform keyword: {key.text}", key, hint=" ".join([*_NAMES, "remap flip units"]))
             args.need(1, key.text)
             if key.text == "flip":
-                self.flips = args.yes()
+                self.flips = args.yes() and self.flips
                 continue
             value = args.word()
             allowed = ("x", "v", "none") if key.text == "remap" else ("box", "lattice")
@@ -214,6 +216,7 @@ class Deform(Fix):
         x, image = atoms.x[: atoms.n], atoms.image[: atoms.n]
         image[:, 1] -= n_yz * image[:, 2]
         image[:, 0] -= n_xy * image[:, 1] + n_xz * image[:, 2]
+        image[:] = ten_bits(image)
         box.remap(x, image)
         box.enter(x)
         box.leave(x)

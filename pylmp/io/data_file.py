@@ -41,7 +41,7 @@ SECTIONS = (
 @dataclass
 class Header:
     """counts: by the words of the file ("atoms", "bond types", ...); lines: where each stands; units: "" if not said.
-    lo, hi: faces of the box, -0.5 and 0.5 where the file is silent, as in LAMMPS. tilt: xy xz yz, None if not said."""
+    lo, hi: faces of the box, -0.5 and 0.5 where the file is silent, as in LAMMPS. tilt: xy xz yz, None if not said; tilted: its line."""
 
     counts: dict[str, int] = field(default_factory=dict)
     lines: dict[str, int] = field(default_factory=dict)
@@ -49,9 +49,18 @@ class Header:
     hi: list[float] = field(default_factory=lambda: [0.5] * 3)
     units: str = ""
     tilt: list[float] | None = None
+    tilted: int = 0
 
     def count(self, name: str) -> int:
         return self.counts.get(name, 0)
+
+    def other_tilt(self, tilt: list[float] | None) -> str:
+        """What LAMMPS says of a file that is added to a box with tilt (None: orthogonal), where its own differs; else ""."""
+        if self.tilt is not None and tilt is None:
+            return "Read_data subsequent file cannot switch to restricted triclinic"
+        if self.tilt is None and tilt is not None:
+            return "Read_data subsequent file cannot switch to orthogonal"
+        return "Read_data subsequent file tilt factors must be same as first file" if self.tilt != tilt else ""
 
 
 class DataFile:
@@ -119,7 +128,7 @@ class DataFile:
                 d = "xyz".index(found[3])
                 result.lo[d], result.hi[d] = self.number(found[1], self.at), self.number(found[2], self.at)
             elif found := _TILTED.fullmatch(text):
-                result.tilt = [self.number(found[k], self.at) for k in (1, 2, 3)]
+                result.tilt, result.tilted = [self.number(found[k], self.at) for k in (1, 2, 3)], self.at
             elif _GENERAL.fullmatch(text):
                 raise Unsupported(
                     "LAMMPS has general triclinic boxes, pylmp's native engines do not", self.span(self.at),

@@ -18,7 +18,7 @@ from pylmp.io.data_history import History
 from pylmp.io.data_rows import read_atoms, read_velocities
 from pylmp.io.data_topology import Scanned, keep, scan
 from pylmp.io.data_types import TypeMap
-from pylmp.model.atoms import MOST_SLOTS, MOST_TYPES, Atoms, Floats, Ints
+from pylmp.model.atoms import MOST_SLOTS, MOST_TYPES, Atoms, Floats, Ints, ten_bits
 from pylmp.model.box import Box
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
@@ -156,6 +156,8 @@ class Reader:
         sim, header, shift = self.sim, self.header, np.array(self.options.shift)
         sim.extra_slots.update((kind, count) for kind, count in self.options.per_atom.items() if kind != "special")
         box = sim.box
+        if says := header.other_tilt(box.tilt.tolist() if box.triclinic else None):
+            self.file.fail(says, header.tilted)
         if box.shrinking:
             raise Unsupported("LAMMPS has read_data add in shrink-wrapped boxes, pylmp's native engines do not")
         lo, hi = np.minimum(box.lo, header.lo + shift), np.maximum(box.hi, header.hi + shift)
@@ -242,11 +244,11 @@ class Reader:
                     f"Non-zero imageflag(s) in {'xyz'[d]} direction for non-periodic boundary reset to zero"
                 )
                 read.image[:, d] = 0
-        image = _ten_bits(read.image)
+        image = ten_bits(read.image)
         x = read.x + shift if shift.any() else read.x.copy()
         inside = self._place(x, image, read.line)
         if self.history is not None:  # as they were written, also where entering a tilted box would round them
-            still = (_ten_bits(read.image) == _ten_bits(image)).all(axis=1)
+            still = (ten_bits(read.image) == ten_bits(image)).all(axis=1)
             x = np.where(still[:, None], read.x, x)
         rows = sim.atoms.append(x[inside], np.asarray(read.columns["type"], np.int64)[inside])
         new = slice(rows.start, rows.stop)
@@ -254,7 +256,7 @@ class Reader:
         for name, values in read.columns.items():
             if name in offsets:
                 getattr(sim.atoms, name)[new] = values[inside] + offsets[name]
-        sim.atoms.image[new] = _ten_bits(image[inside])
+        sim.atoms.image[new] = ten_bits(image[inside])
         sim.atoms.mask[new] |= self.options.group
         sim.console.both(f"  {len(rows)} atoms\n")
         if len(rows) != count or "Atoms" in self.seen:
@@ -289,8 +291,3 @@ class Reader:
         box.enter(framed)
         inside: Mask = (framed >= lo - edge) & (framed < hi + edge)
         return np.asarray(inside.all(axis=1))
-
-
-def _ten_bits(image: Ints) -> Ints:
-    """Image flags as LAMMPS keeps them, -512 to 511."""
-    return ((image + 512) & 1023) - 512

@@ -13,7 +13,7 @@ from typing import ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.model.atoms import Atoms, Floats, Ints
+from pylmp.model.atoms import Atoms, Floats, Ints, ten_bits
 from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
 
@@ -195,13 +195,13 @@ class Box:
             below = x[:, d] < lo
             if below.any():
                 x[below, d] += length
-                image[below, d] -= 1
+                image[below, d] = ten_bits(image[below, d] - 1)
                 self._cross(atoms, below, d, 1.0)
             above = x[:, d] >= hi
             if above.any():
                 x[above, d] -= length
                 x[above, d] = np.maximum(x[above, d], lo)
-                image[above, d] += 1
+                image[above, d] = ten_bits(image[above, d] + 1)
                 self._cross(atoms, above, d, -1.0)
 
     def _cross(self, atoms: Atoms, rows: NDArray[np.bool_], d: int, sign: float) -> None:
@@ -224,10 +224,10 @@ class Box:
             length = hi - lo
             while (out := x[:, d] < lo).any():
                 x[out, d] += length
-                image[out, d] -= 1
+                image[out, d] = ten_bits(image[out, d] - 1)
             while (out := x[:, d] >= hi).any():
                 x[out, d] -= length
-                image[out, d] += 1
+                image[out, d] = ten_bits(image[out, d] + 1)
             x[:, d] = np.maximum(x[:, d], lo)
 
     def near(self, new: Floats, old: Floats) -> None:
