@@ -1,6 +1,6 @@
-"""Writes what docs/ takes from the program itself: commands.md from the registries, hysteresis.svg from a run.
+"""Draws docs/hysteresis.svg from a run of inputs/plastic_cyclic.
 
-usage: python docs/generate.py      (needs pylmp installed, nothing else)
+usage: python docs/picture.py
 """
 
 from __future__ import annotations
@@ -11,45 +11,8 @@ import tempfile
 from pathlib import Path
 
 from pylmp.cli import main
-from pylmp.model.registry import BONDS, COMMANDS, COMPUTES, DUMPS, FIXES, PAIRS, REGIONS, Registry
-from pylmp.text.diagnostic import MANUAL
 
 DOCS = Path(__file__).parent
-KINDS: list[tuple[str, str, Registry]] = [
-    ("Bond styles", "bond", BONDS),
-    ("Pair styles", "pair", PAIRS),
-    ("Fixes", "fix", FIXES),
-    ("Computes", "compute", COMPUTES),
-    ("Dumps", "dump", DUMPS),
-    ("Regions", "region", REGIONS),
-]
-
-
-def commands() -> str:
-    """docs/commands.md: every command and style, each with its page of the LAMMPS manual."""
-    lines = [
-        "# Commands and styles",
-        "",
-        "Written by `python docs/generate.py` from the registries.",
-        "",
-        "## Commands",
-        "",
-    ]
-    for name, command in COMMANDS:
-        summary = (command.run.__doc__ or "").split("\n")[0].strip()
-        lines.append(f"- [`{name}`]({MANUAL}{command.manual}): {summary}")
-    for title, kind, registry in KINDS:
-        lines += ["", f"## {title}", ""]
-        for name, value in registry:
-            page = getattr(value, "manual", "") or f"{kind}_{name.replace('/', '_')}.html"
-            page = {"dump": "dump.html", "region": "region.html"}.get(kind, page)
-            lines.append(f"- [`{name}`]({MANUAL}{page})")
-    lines += [
-        "",
-        "`hybrid` and `none` are bond styles too, `none` is a pair style; `/omp` names of bond styles run the plain law.",
-        "",
-    ]
-    return "\n".join(lines)
 
 
 def loop() -> list[tuple[float, float]]:
@@ -112,5 +75,4 @@ def picture(points: list[tuple[float, float]]) -> str:
 
 if __name__ == "__main__":
     os.environ.setdefault("OMP_NUM_THREADS", "1")
-    (DOCS / "commands.md").write_text(commands())
     (DOCS / "hysteresis.svg").write_text(picture(loop()))

@@ -1,0 +1,121 @@
+"""Writes docs/coverage.md: every command and style of the registries, the deck that compares it with LAMMPS, and what only LAMMPS has.
+
+usage: python docs/coverage.py
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from pylmp.interpreter import ELSEWHERE as COMMANDS_ELSEWHERE
+from pylmp.model.atom_style import ATOM_STYLES
+from pylmp.model.registry import (
+    ANGLES,
+    BONDS,
+    COMMANDS,
+    COMPUTES,
+    DIHEDRALS,
+    DUMPS,
+    FIXES,
+    IMPROPERS,
+    MINIMIZERS,
+    PAIRS,
+    REGIONS,
+    THERMOS,
+    Registry,
+)  # fmt: skip
+from pylmp.model.unknown import ELSEWHERE
+from pylmp.text.diagnostic import MANUAL
+from pylmp.text.variable_styles import READERS as VARIABLE_STYLES
+
+ROOT = Path(__file__).parents[1]
+PAGES = {"dump": "dump.html", "region": "region.html", "minimize": "min_style.html", "thermo": "thermo_style.html"}
+KINDS: list[tuple[str, str, Registry]] = [
+    ("Bond styles", "bond", BONDS), ("Pair styles", "pair", PAIRS), ("Fixes", "fix", FIXES), ("Computes", "compute", COMPUTES),
+    ("Regions", "region", REGIONS), ("Dumps", "dump", DUMPS), ("Minimizers", "minimize", MINIMIZERS), ("Thermo styles", "thermo", THERMOS),
+    ("Angle styles", "angle", ANGLES), ("Dihedral styles", "dihedral", DIHEDRALS), ("Improper styles", "improper", IMPROPERS),
+]  # fmt: skip
+HEAD = """# What runs here, and what shows it
+
+Written by `python docs/coverage.py` from the registries and the decks. *identical*: the deck is run here and on LAMMPS 22 Jul 2025 in the
+tests, and every number, dump and answer is equal to the last bit. *runs*: used in decks of others, or tested otherwise.
+*LAMMPS only*: known, refused with exit code 5; `--engine lammps` runs it. `/omp` names of bond styles run the plain law.
+"""
+
+
+class Decks:
+    """Where each command and style is used, and what decks say of themselves."""
+
+    def __init__(self) -> None:
+        self.own: dict[str, str] = {}
+        self.used: dict[str, str] = {}
+        self.differs: dict[str, str] = {}
+        for path in sorted((ROOT / "tests" / "decks").glob("*/*.in")) + sorted((ROOT / "inputs").glob("*/in.*")):
+            where, text = path.relative_to(ROOT).as_posix(), path.read_text()
+            for name in re.findall(r"^# covers: (.*)$", text, re.M):
+                for item in name.split(","):
+                    self.own.setdefault(item.strip(), where)
+            for note in re.findall(r"^# differs: (.*)$", text, re.M):
+                self.differs[where] = note
+            for name in _uses(text):
+                self.used.setdefault(name, where)
+
+    def row(self, kind: str, name: str, link: str) -> str:
+        key = f"{kind} {name}"
+        bare = self.own.get(name, "") if kind == "command" else ""
+        deck = self.own.get(key) or bare or self.used.get(key) or ""
+        status = "identical" if deck else "runs"
+        shown = f"[{Path(deck).name}](../{deck})" if deck else ""
+        return f"| [`{name}`]({link}) | {status} | {shown} | {self.differs.get(deck, '')} |"
+
+
+def _uses(text: str) -> Iterator[str]:
+    """Commands and styles that a script names."""
+    place = {"fix": 3, "compute": 3, "dump": 3, "region": 2, "min_style": 1, "thermo_style": 1, "pair_style": 1, "bond_style": 1}
+    kinds = {"min_style": "minimize", "thermo_style": "thermo", "pair_style": "pair", "bond_style": "bond"}
+    for line in text.splitlines():
+        words = line.split("#")[0].split()
+        if words[:1] == ["variable"] and len(words) > 2:
+            yield f"variable {words[2]}"
+        if words[:1] == ["atom_style"] and len(words) > 1:
+            yield f"atom {words[1]}"
+        for k, word in enumerate(words):
+            if k and not (word.startswith('"') and words[0] == "if"):
+                continue
+            command = word.lstrip('"')
+            yield f"command {command}"
+            if command in place and len(words) > k + place[command]:
+                kind = kinds.get(command, command)
+                for style in words[k + place[command] :] if kind in ("pair", "bond") else [words[k + place[command]]]:
+                    yield f"{kind} {style.strip(chr(34))}"
+
+
+def table(decks: Decks, title: str, kind: str, rows: list[tuple[str, str]], lacking: list[str]) -> list[str]:
+    lines = ["", f"## {title}", "", "| name | status | deck | differs |", "|---|---|---|---|"]
+    lines += [decks.row(kind, name, link) for name, link in rows]
+    return [*lines, *(["", f"LAMMPS only: {', '.join(f'`{name}`' for name in lacking)}"] if lacking else [])]
+
+
+def coverage() -> str:
+    """The text of docs/coverage.md."""
+    decks = Decks()
+    rows = [(name, MANUAL + command.manual) for name, command in COMMANDS]
+    lines = table(decks, "Commands", "command", rows, sorted(COMMANDS_ELSEWHERE))
+    for title, kind, registry in KINDS:
+        rows = []
+        for name, value in registry:
+            page = PAGES.get(kind) or getattr(value, "manual", "") or f"{kind}_{name.replace('/', '_')}.html"
+            rows.append((name, MANUAL + page))
+        lacking = sorted(set(ELSEWHERE.get(kind, "").split()) - {name for name, _ in rows})
+        lines += table(decks, title, kind, rows, lacking)
+    rows = [(name, f"{MANUAL}atom_style.html") for name in ATOM_STYLES]
+    lines += table(decks, "Atom styles", "atom", rows, [])
+    rows = [(name, f"{MANUAL}variable.html") for name in VARIABLE_STYLES if name != "python"]
+    lines += table(decks, "Variable styles", "variable", rows, ["python"])
+    return HEAD + "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    (ROOT / "docs" / "coverage.md").write_text(coverage())
