@@ -67,7 +67,7 @@ class Run:
         self.breaks = sim.breaks = sim.breaks if isinstance(sim.breaks, Breaks) else Breaks()
         before = sim.bond_lists  # of an earlier run: they know what bonds remember since the last copy
         self.forces = ForceField(sim, self.ghosts)
-        self.occasional = Occasional(sim, self.forces.neighbors)
+        self.occasional = Occasional(sim, self.forces.lists.whole if self.forces.lists else None)
         self.forces.prepare(sim, self.occasional.functions())
         for listed in before:
             listed.copy_back(sim)
@@ -156,11 +156,11 @@ class Run:
                 hook(sim)
         else:
             if self.breaks.flagged:
-                self.breaks.clear_flags(sim, self.forces.neighbors, self.ghosts)
+                self.breaks.clear_flags(sim, self.forces.lists, self.ghosts)
             if not sim.relaxing:
                 self.call("pre_force")
             timers.stamp("Modify")
-        self.forces.pairs(sim, wanted)
+        self.forces.pairs(sim, wanted, setup)
         timers.stamp("Pair")
         self.forces.bonded(sim, wanted, setup, self.breaks)
         timers.stamp("Bond")
@@ -255,11 +255,16 @@ class Run:
         warn_small_box(sim)
         report = RunReport(
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections, processor=self.timers.processor,
-            neighbors=self.forces.neighbors.count if self.forces.neighbors else 0, ghosts=sim.atoms.ghosts,
+            neighbors=self.forces.lists.half if self.forces.lists else 0, ghosts=sim.atoms.ghosts,
             builds=self.builds, dangerous=self.dangerous, interrupted=self.stop,
-            full_neighbors=self.occasional.full_count,
+            full_neighbors=self._full_neighbors(),
         )  # fmt: skip
         return report, result
+
+    def _full_neighbors(self) -> int | None:
+        """Entries of a full list: a pair style's, or a compute's."""
+        own = self.forces.lists.full if self.forces.lists else None
+        return self.occasional.full_count if own is None else own
 
     def _listen(self) -> Any:
         """Let an interrupt set a flag; returns what puts the old handler back."""

@@ -15,7 +15,7 @@ from pylmp.kernels.store import kernel, prepare
 from pylmp.model.asking import ENERGY, SHARED, VIRIAL, level_of, levels
 from pylmp.model.bondlist import BondList, Breaks
 from pylmp.model.lost import check_bonded
-from pylmp.model.neighbor import NeighborList
+from pylmp.model.pair_lists import PairLists
 
 if TYPE_CHECKING:
     from pylmp.kernels.kinds import Function
@@ -31,10 +31,11 @@ class ForceField:
 
     def __init__(self, sim: Simulation, ghosts: Ghosts) -> None:
         self.ghosts = ghosts
-        mode = neighbor_loops.HALF if sim.newton_pair else neighbor_loops.HALF_OWNED
-        self.neighbors = NeighborList(sim, mode) if sim.pair and sim.neighbor_cutoff > 0.0 else None
+        self.lists = PairLists(sim) if sim.pair and sim.neighbor_cutoff > 0.0 else None
         self.bonds = [BondList(sim, part) for part in sim.bond.parts] if sim.bond else []
-        self._pairs = PairForces(sim, self.neighbors)
+        self._pairs = PairForces(sim, self.lists)
+        taken = any(listed.part.style.subtract_pair for listed in self.bonds)
+        self._alone = sim.pair.alone() if taken else None
         self._bond = [
             {level: self._compose_bond(sim, listed.part, level) for level in levels(sim)} for listed in self.bonds
         ]
@@ -52,8 +53,8 @@ class ForceField:
     def prepare(self, sim: Simulation, more: list[Function]) -> None:
         """Compile what the store does not have, all at once, more included."""
         functions = [*self.ghosts.functions(), self._moved, *more]
-        if self.neighbors:
-            functions += self.neighbors.functions()
+        if self.lists:
+            functions += self.lists.functions()
         functions += self._pairs.functions()
         for listed, mine in zip(self.bonds, self._bond, strict=True):
             functions += [*listed.functions(), *mine.values()]
@@ -63,7 +64,7 @@ class ForceField:
 
     def _compose_bond(self, sim: Simulation, part: BondPart, level: int) -> Function:
         style = part.style
-        alone = sim.pair.alone if style.subtract_pair else None
+        alone = self._alone if style.subtract_pair else None
         return bond_loop(
             part.law, part.table.shape[1], part.memory, alone.law if alone else None, alone.width if alone else 0,
             newton=sim.newton_bond, velocity=style.velocity or (alone is not None and alone.velocity),
@@ -76,8 +77,8 @@ class ForceField:
     def rebuild(self, sim: Simulation, cutoff: float) -> None:
         """New lists; remember where the atoms stood; bind the kernels to the arrays as they now are."""
         atoms = sim.atoms
-        if self.neighbors is not None:
-            self.neighbors.build(sim, cutoff)
+        if self.lists is not None:
+            self.lists.build(sim, cutoff)
         for listed in self.bonds:
             first = not listed.part.stored
             if first:
@@ -93,7 +94,7 @@ class ForceField:
     def _bind(self, sim: Simulation) -> None:
         atoms = sim.atoms
         self._pairs.bind(sim)
-        alone = sim.pair.alone if sim.pair else None
+        alone = self._alone
         table, data = (alone.table, alone.data) if alone else (np.zeros((0, 0, 0)), np.zeros(0))
         self._shares = np.zeros((atoms.total if self._pairs.shared else 0, SHARES))
         self._bond_calls = [
@@ -121,13 +122,14 @@ class ForceField:
         """What of wanted this run can sum: shares of atoms only if a compute asked for them when it was set up, as in LAMMPS."""
         return wanted if self._pairs.shared else wanted & (ENERGY | VIRIAL)
 
-    def pairs(self, sim: Simulation, wanted: int) -> None:
+    def pairs(self, sim: Simulation, wanted: int, setup: bool) -> None:
         """wanted: what to sum besides forces (ENERGY | VIRIAL | ...), 0 for nothing."""
-        self._sums[1] = self._pairs.evaluate(sim, level_of(wanted))
+        self._pairs.evaluate(sim, level_of(wanted), setup)
 
     def bonded(self, sim: Simulation, wanted: int, setup: bool, breaks: Breaks) -> None:
         """Bonds of each style in turn; then what breaks is booked."""
         energy = 0.0
+        self._sums[1] = self._pairs.energy
         virial = np.zeros(6)
         level = level_of(wanted)
         shares = np.zeros_like(self._shares)
@@ -143,6 +145,7 @@ class ForceField:
                 listed.part.style.report(sim, listed.part, listed.bonds[listed.noted[1 : 1 + notes]])
             if broken:
                 breaks.record(sim, listed, int(broken))
+        self._pairs.energy = float(self._sums[1])
         if wanted:
             sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
             sim.tally.pair_virial[:] = self._pairs.virial.tolist()

@@ -14,8 +14,8 @@ from pylmp.model.asking import SHARED, levels
 
 if TYPE_CHECKING:
     from pylmp.kernels.kinds import Function
-    from pylmp.model.neighbor import NeighborList
     from pylmp.model.pair import PairPart
+    from pylmp.model.pair_lists import AnyList, PairLists
     from pylmp.model.simulation import Simulation
 
 Call = Callable[[], float]
@@ -29,10 +29,10 @@ class PartForces:
     noted    how many pairs the style wants reported, the rows of the first
     """
 
-    def __init__(self, sim: Simulation, part: PairPart, neighbors: NeighborList, last: bool) -> None:
+    def __init__(self, sim: Simulation, part: PairPart, neighbors: AnyList, last: bool) -> None:
         self.part = part
         self.neighbors = neighbors
-        self.weights = np.array([1.0, *sim.special.lj])
+        self.weights = np.array([1.0, *(part.settings.lj or sim.special.lj)])
         self.virial = np.zeros(6)
         self.noted = np.zeros(3, np.int64)
         self.shares = np.zeros((0, SHARES))
@@ -45,6 +45,7 @@ class PartForces:
         return pair_loop(
             part.law, part.width, newton=sim.newton_pair, velocity=style.velocity, one_type=sim.atom_types == 1,
             weighted=weighted, tally=level > 0, tabled=style.data is not None, watch=style.watch, last=last, share=level > 1,
+            fdotr=sim.pair.settings.fdotr,
         )  # fmt: skip
 
     def bind(self, sim: Simulation) -> None:
@@ -70,14 +71,15 @@ class PartForces:
 
 
 class PairForces:
-    """virial (6,), shares (rows, 7): of all parts, of the last evaluation that summed them."""
+    """energy, virial (6,), shares (rows, 7): of all parts, of the last evaluation that summed them."""
 
-    def __init__(self, sim: Simulation, neighbors: NeighborList | None) -> None:
+    def __init__(self, sim: Simulation, lists: PairLists | None) -> None:
+        self.energy = 0.0
         self.virial = np.zeros(6)
         self.shares = np.zeros((0, SHARES))
         self.shared = SHARED in levels(sim)
-        working = [part for part in sim.pair.parts if part.law is not None] if neighbors and sim.pair else []
-        self.parts = [PartForces(sim, part, neighbors, part is working[-1]) for part in working if neighbors]
+        working = [part for part in sim.pair.working if part.settings.compute] if lists else []
+        self.parts = [PartForces(sim, part, lists.of(part), part is working[-1]) for part in working if lists]
 
     def functions(self) -> list[Function]:
         return [function for part in self.parts for function in part.functions.values()]
@@ -87,16 +89,20 @@ class PairForces:
             part.bind(sim)
         self.shares = np.zeros((sim.atoms.total if self.shared else 0, SHARES))
 
-    def evaluate(self, sim: Simulation, level: int) -> float:
-        """Add the forces of all parts; the energy of all from level 1 on."""
-        total = 0.0
+    def evaluate(self, sim: Simulation, level: int, setup: bool) -> None:
+        """Add the forces of all parts; their energies from level 1 on.
+
+        Under `pair_modify compute no` LAMMPS lets its sums stand, except in set-up: what bond_style quartic takes out adds up.
+        """
+        if sim.pair is not None and not sim.pair.acts and not setup:
+            return
+        self.energy = 0.0
         self.virial[:] = 0.0
         self.shares[:] = 0.0
         for forces in self.parts:
             energy = forces.evaluate(sim, level)
-            total += energy
+            self.energy += energy
             self.virial += forces.virial
             if level == SHARED:
                 self.shares += forces.shares
             forces.part.energy = energy
-        return total

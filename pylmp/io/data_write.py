@@ -42,7 +42,7 @@ def data_text(sim: Simulation, contents: Contents) -> str:
     parts = [_header(sim, {kind.name: len(found) for kind, found in bonded.items()})]
     parts += [_section(f"{kind.capitalize()} Type Labels", rows) for kind, rows in _labels(sim, contents)]
     parts.append(_section("Masses", _masses(sim)))
-    if contents.coeffs and sim.pair is not None:
+    if contents.coeffs and sim.pair is not None and sim.pair.write_coeffs(contents.pairs):
         parts.append(_pair_coeffs(sim, contents.pairs))
     for kind in sim.style.kinds if contents.coeffs else ():
         style = kind.style(sim)
@@ -114,7 +114,7 @@ def _coefficients(types: tuple[int, ...], values: Sequence[float]) -> str:
 
 def warn_unmixed(sim: Simulation) -> None:
     """LAMMPS's warning when pair coefficients of unlike types are lost, because a script gave them."""
-    if sim.pair is not None and any(i != j for part in sim.pair.parts for i, j in part.given):
+    if sim.pair is not None and not sim.pair.hybrid and any(i != j for part in sim.pair.parts for i, j in part.given):
         sim.console.warning(_UNMIXED)
 
 

@@ -3,46 +3,77 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from pylmp.model.ghosts import ghost_cutoff
+from pylmp.model.pair_lists import Planned, plan
 from pylmp.model.simulation import Simulation
 from pylmp.model.wish import Wish
-from pylmp.text.number import eight
+from pylmp.text.number import eight, shortest
 
 
 @dataclass(frozen=True)
 class Request:
     """One list somebody asked for. who: "pair lj/cut", "compute rdf" or "command create_bonds".
 
-    copy     it is the list with this number
-    cutoff   how far, if not as far as the pair style reaches
+    how, origin: made from another one. cut: its one cutoff, skin included; 0.0: each pair of types has its own. skipped: pairs of
+    types it leaves out. asked: the cutoff that its owner asked for. added: nobody asked for
+    it, others are made from it.
     """
 
     who: str
     full: bool = False
     occasional: bool = False
-    copy: int = 0
-    cutoff: float = 0.0
+    how: str = field(default="", compare=False)
+    origin: Request | None = field(default=None, compare=False)
+    cut: float = field(default=0.0, compare=False)
+    skipped: frozenset[tuple[int, int]] = frozenset()
+    asked: float = 0.0
+    added: bool = False
+
+
+def pair_requests(sim: Simulation) -> tuple[Request, ...]:
+    """The lists of the pair styles."""
+    if sim.pair is None or sim.neighbor_cutoff == 0.0:
+        return ()
+    made: dict[Planned, Request] = {}
+
+    def request(planned: Planned) -> Request:
+        if planned not in made:
+            origin = request(planned.origin) if planned.origin else None
+            who = f"pair {planned.part.style.name}" if planned.part else "neighbor class addition"
+            cut = planned.cut + sim.neighbor.skin if planned.cut else 0.0
+            made[planned] = Request(
+                who, planned.full, how=planned.how, origin=origin, cut=cut, skipped=planned.skipped, asked=planned.asked,
+                added=planned.part is None,
+            )  # fmt: skip
+        return made[planned]
+
+    return tuple(request(planned) for planned in plan(sim))
 
 
 def announce(sim: Simulation, *requests: Request) -> None:
     """Describe the neighbor lists: of requests, the pair style's, of computes; warn of a box thinner than the skin."""
     if sim.pair is not None:
-        own = (*requests, Request(f"pair {sim.pair.name}"))
-        _lists(sim, (*own, *_of_computes(sim, len(own))))
+        own = pair_requests(sim)
+        added = tuple(request for request in own if request.added)
+        own = own[: len(own) - len(added)]
+        _lists(sim, (*requests, *own, *_of_computes(sim, (*own, *added)), *added))
     if (sim.box.length < sim.neighbor.skin)[: sim.dimension].any():
         sim.console.warning("Proc sub-domain size < neighbor skin, could lead to lost atoms")
 
 
-def _of_computes(sim: Simulation, own: int) -> list[Request]:
-    """What computes ask for; own: the number of the pair style's list."""
+def _of_computes(sim: Simulation, own: tuple[Request, ...]) -> list[Request]:
+    """What computes ask for; own: the pair styles' lists."""
+    whole = next((each for each in own if not (each.full or each.skipped or each.cut)), None)
     result = []
     for compute in sim.computes.values():
         wish = compute.wish(sim)
         if wish is not None:
-            copy = own if wish == Wish() else 0
-            result.append(Request(f"compute {compute.style}", wish.full, True, copy, wish.cutoff))
+            origin = whole if wish == Wish() else None
+            how = "copy" if origin else ""
+            who = f"compute {compute.style}"
+            result.append(Request(who, wish.full, True, how=how, origin=origin, cut=wish.cutoff, asked=wish.cutoff))
     return result
 
 
@@ -73,15 +104,19 @@ def _lists(sim: Simulation, requests: tuple[Request, ...]) -> None:
         f"  {count} neighbor lists, perpetual/occasional/extra = {count - occasional} {occasional} 0",
     ]
     for number, request in enumerate(requests, 1):
-        lines += _describe(sim, number, request)
+        origin = next((k for k, other in enumerate(requests, 1) if other is request.origin), 0)
+        lines += _describe(sim, number, request, origin)
     sim.console.both("\n".join(lines) + "\n")
 
 
-def _describe(sim: Simulation, number: int, request: Request) -> list[str]:
+def _describe(sim: Simulation, number: int, request: Request, origin: int) -> list[str]:
+    """origin: the number of the list that this one is made from, 0 if it is built."""
     tilted = "/tri" if sim.box.triclinic else ""
     newton = "on" if sim.newton_pair else "off"
     only = "" if sim.has_bonds else "atomonly/"
-    if request.full:
+    if origin:
+        build, stencil = request.how, "none"
+    elif request.full:
         build, stencil = f"full/bin/{only}".rstrip("/"), f"full/bin/{sim.dimension}d"
     elif sim.newton_pair:
         build, stencil = f"half/bin/{only}newton{tilted}", f"half/bin/{sim.dimension}d{tilted}"
@@ -90,12 +125,14 @@ def _describe(sim: Simulation, number: int, request: Request) -> list[str]:
     grid = "standard"
     if sim.neighbor.style == "nsq":
         build, stencil, grid = build.replace("/bin", "/nsq").replace("/atomonly", ""), "none", "none"
-    copy = f", copy from ({request.copy})" if request.copy else ""
-    cut = f", cut {eight(request.cutoff)}" if request.cutoff else ""
+    if origin:
+        build, stencil, grid = request.how, "none", "none"
+    made = f", {request.how} from ({origin})" if origin else ""
+    cut = f", cut {shortest(request.cut)}" if request.cut else ""
     return [
-        f"  ({number}) {request.who}, {'occasional' if request.occasional else 'perpetual'}{copy}",
+        f"  ({number}) {request.who}, {'occasional' if request.occasional else 'perpetual'}{made}",
         f"      attributes: {'full' if request.full else 'half'}, newton {newton}{cut}",
-        f"      pair build: {'copy' if copy else build}",
-        f"      stencil: {'none' if copy else stencil}",
-        f"      bin: {'none' if copy else grid}",
+        f"      pair build: {build}",
+        f"      stencil: {stencil}",
+        f"      bin: {grid}",
     ]

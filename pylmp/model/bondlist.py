@@ -16,7 +16,7 @@ from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.model.ghosts import Ghosts
-    from pylmp.model.neighbor import NeighborList
+    from pylmp.model.pair_lists import PairLists
     from pylmp.model.simulation import Simulation
 
 
@@ -63,8 +63,8 @@ class Listing:
     def _complain(self, sim: Simulation, row: int, ghosts: Ghosts) -> None:
         atoms = sim.atoms
         for slot in range(int(atoms.num_bond[row])):
-            partner = int(atoms.bond_atom[row, slot])
-            if partner >= len(ghosts.first) or ghosts.first[partner] < 0:
+            partner, kind = int(atoms.bond_atom[row, slot]), int(atoms.bond_type[row, slot])
+            if kind > 0 and self.mine[kind] and (partner >= len(ghosts.first) or ghosts.first[partner] < 0):
                 raise ScriptError(
                     f"Bond atoms {int(atoms.tag[row])} {partner} missing on proc 0 at step {sim.step}",
                     hint="an atom was lost: a smaller timestep, or a boundary that keeps it", manual="Errors_details.html",
@@ -170,9 +170,9 @@ class Breaks:
                 if slots.any():
                     atoms.drop_slot(row, int(np.argmax(slots)), remember=part.shifts)
 
-    def clear_flags(self, sim: Simulation, neighbors: NeighborList | None, ghosts: Ghosts) -> None:
+    def clear_flags(self, sim: Simulation, lists: PairLists | None, ghosts: Ghosts) -> None:
         """Pairs broken on the step before act from now on."""
-        if neighbors is not None:
+        for neighbors in lists.all if lists else ():
             for pair in self.flagged:
                 for tag, other in (pair, pair[::-1]):
                     row = int(ghosts.first[tag]) if tag < len(ghosts.first) else -1

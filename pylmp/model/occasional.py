@@ -43,9 +43,11 @@ class Occasional:
 
     def __init__(self, sim: Simulation, own: NeighborList | None) -> None:
         self._own = own
-        wishes = {compute.wish(sim) for compute in sim.computes.values()} - {None, Wish()}
+        wishes = {compute.wish(sim) for compute in sim.computes.values()} - {None}
+        if own is not None:
+            wishes -= {Wish()}
         mode = HALF if sim.newton_pair else HALF_OWNED
-        self._lists = {wish: NeighborList(sim, FULL if wish.full else mode, wish.cutoff) for wish in wishes if wish and sim.pair}
+        self._lists = {wish: NeighborList(sim, FULL if wish.full else mode, wish.cutoff) for wish in wishes if wish and sim.pair and sim.neighbor_cutoff > 0.0}
         self._current: set[Wish] = set()
 
     def functions(self) -> list[Function]:
@@ -62,7 +64,7 @@ class Occasional:
 
     def pairs(self, sim: Simulation, wish: Wish) -> Pairs:
         """The pairs listed for wish, with positions of now."""
-        listed = self._own if wish == Wish() else self._built(sim, wish)
+        listed = self._own if wish == Wish() and self._own else self._built(sim, wish) if wish in self._lists else None
         if listed is None:
             nobody = np.zeros(0, np.int64)
             return Pairs(nobody, nobody, nobody, np.zeros((0, 3)))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
 from pylmp.model.atoms import Floats, Ints
-from pylmp.model.pair_alone import Alone, compose, evaluate
+from pylmp.model.pair_alone import Alone, compose, evaluate, in_order
 from pylmp.model.settings import PairSettings
 from pylmp.model.style import Options, PairStyle
 from pylmp.text.diagnostic import ScriptError
@@ -29,6 +29,7 @@ class PairPart:
     given              (i, j) -> coefficients and cutoff as pair_coeff said
     mine               pairs of types (i <= j) that this part acts on; all of them unless hybrid
     all                (i, j) of mine -> coefficients and cutoff, mixed ones included (after init)
+    mixed, mixes       those that were mixed, and whether any was: for what LAMMPS says of it
     cut                (nt+1, nt+1) distances at which its law ends, 0.0 where it does not act (after init)
     table              (nt+1, nt+1, width) what the law receives (after init)
     data               what the law looks up, where the style has tables (after init); each row of table ends with where its own begin
@@ -43,6 +44,8 @@ class PairPart:
         self.given: dict[Types, Values] = {}
         self.mine: list[Types] = []
         self.all: dict[Types, Values] = {}
+        self.mixed: set[Types] = set()
+        self.mixes = False
         self.cut = np.zeros((1, 1))
         self.table = np.zeros((1, 1, 0))
         self.data = np.zeros(1)
@@ -54,6 +57,11 @@ class PairPart:
     def width(self) -> int:
         return self.table.shape[2]
 
+    @property
+    def called(self) -> str:
+        """As pair_coeff under hybrid names it."""
+        return f"{self.style.name} {self.number}" if self.number else self.style.name
+
     def read(self, args: Args) -> Values:
         """The words of pair_coeff behind the types (and style name)."""
         values = self.style.read(args, self.options)
@@ -61,16 +69,28 @@ class PairPart:
             args.fail("Incorrect args for pair coefficients", args.peek())
         return values
 
-    def complete(self, mine: list[Types], types: int) -> int:
-        """Mix what was not given, fill cut and table. Returns how many pairs of types were mixed."""
+    def check_weights(self, sim: Simulation) -> None:
+        """Raise ScriptError if weights of this part alone do not go with those of all."""
+        for kind, mine, all_ in (("lj", self.settings.lj, sim.special.lj), ("coul", self.settings.coul, sim.special.coul)):
+            for k, (a, b) in enumerate(zip(mine or all_, all_, strict=True)):
+                if a != b and b in (0.0, 1.0):
+                    raise ScriptError(
+                        f"Pair_modify special {kind} 1-{k + 2} setting for pair hybrid substyle {self.style.name} incompatible "
+                        "with global special_bonds setting",
+                        hint=f"special_bonds {kind} with a weight between 0 and 1", manual="pair_modify.html",
+                    )  # fmt: skip
+
+    def complete(self, mine: list[Types], types: int) -> None:
+        """Mix what was not given, fill cut and table."""
         self.mine = mine
-        self.all, mixed = {}, 0
+        self.all, self.mixed = {}, set()
         for i, j in mine:
             if (i, j) in self.given:
                 self.all[i, j] = self.given[i, j]
             elif self.style.mix is not None:
                 self.all[i, j] = self.style.mix(*self.given[i, i], *self.given[j, j], self.settings.mix)
-                mixed += bool(self.style.coeffs)  # LAMMPS counts pairs whose energies it mixes
+                if self.style.mixes_energy:
+                    self.mixed.add((i, j))
         size = types + 1
         self.cut = np.zeros((size, size))
         rows = {pair: self.style.row(*values, self.settings.shift) for pair, values in self.all.items()}
@@ -81,20 +101,13 @@ class PairPart:
         for (i, j), row in rows.items():
             self.table[i, j] = self.table[j, i] = row
             self.cut[i, j] = self.cut[j, i] = self.style.reach(*self.all[i, j])
-        return mixed
 
-    def tails(self, sim: Simulation) -> tuple[float, float]:
-        """Long-range corrections (energy, pressure) before division by V and V*V."""
+    def tails(self, sim: Simulation, pair: Types, counts: Ints) -> tuple[float, float]:
+        """Corrections (energy, pressure) for a pair of types before division by V and V*V. counts: atoms by type."""
         if not self.settings.tail or self.style.tail is None:
             return 0.0, 0.0
-        counts = np.bincount(sim.atoms.type[: sim.atoms.n], minlength=sim.atom_types + 1)
-        energy = pressure = 0.0
-        for i, j in self.mine:
-            e, p = self.style.tail(*self.all[i, j], float(counts[i]), float(counts[j]))
-            for _ in range(1 if i == j else 2):
-                energy += e
-                pressure += p
-        return energy, pressure
+        i, j = pair
+        return self.style.tail(*self.all[pair], float(counts[i]), float(counts[j]))
 
 
 def _tables(arrays: list[Floats]) -> tuple[list[float], Floats]:
@@ -109,7 +122,6 @@ class Pair:
     acting    (i, j), i <= j -> parts that act on these types, in the order pair_coeff named them; none for `pair_coeff I J none`
     settings  as pair_modify said of all parts
     cut       (nt+1, nt+1) the largest cutoff of any part (after init)
-    alone     what bond_style quartic takes out; None if nothing has a law (after init)
     """
 
     def __init__(self, name: str, parts: list[PairPart], types: int) -> None:
@@ -118,7 +130,6 @@ class Pair:
         self.types = types
         self.settings = PairSettings() if self.hybrid else parts[0].settings
         self.acting: dict[Types, list[PairPart]] = {}
-        self.alone: Alone | None = None
         self.cut = np.zeros((types + 1, types + 1))
 
     @property
@@ -127,12 +138,21 @@ class Pair:
 
     @property
     def tail(self) -> bool:
-        return any(part.settings.tail for part in self.parts)
+        return self.settings.tail
 
     @property
     def working(self) -> list[PairPart]:
         """The parts that have a law."""
         return [part for part in self.parts if part.law is not None]
+
+    @property
+    def acts(self) -> bool:
+        """Not all parts were told `pair_modify compute no`."""
+        return any(part.settings.compute for part in self.parts)
+
+    def alone(self) -> Alone | None:
+        """What bond_style quartic takes out; None if nothing has a law. Raises Unsupported where its order of rounding is lost."""
+        return compose(in_order(self.working, self.acting.values())) if self.working else None
 
     def single(
         self, r2: Floats, dot: Floats, first: Ints, second: Ints, factor: Floats | float = 1.0
@@ -165,13 +185,18 @@ class Pair:
     def _named(self, args: Args) -> PairPart | None:
         """The part that pair_coeff names, by its style and, where several have that style, its number; None for none."""
         word = args.word()
-        same = [part for part in self.parts if part.style.name == word.text]
         if word.text == "none":
             if len(args):
                 args.fail("Incorrect args for pair coefficients", args.peek(), hint="nothing after none")
             return None
+        same = [part for part in self.parts if part.style.name == word.text]
+        if len(same) > 1:
+            if not len(args):
+                args.fail("Incorrect args for pair coefficients", word, hint=f"{word.text} 1, {word.text} 2, ...")
+            number = args.integer()
+            same = [part for part in same if part.number == number]
         if not same:
-            hint = " ".join(dict.fromkeys(part.style.name for part in self.parts)) + " none"
+            hint = " ".join(dict.fromkeys(part.called for part in self.parts)) + " none"
             args.fail(f"Expected hybrid sub-style instead of {word.text} in pair_coeff command", word, hint=hint)
         return same[0]
 
@@ -186,40 +211,67 @@ class Pair:
             raise ScriptError("Cannot use pair tail corrections with 2d simulations", hint="pair_modify tail no")
         if settings.tail and not all(sim.box.periodic):
             sim.console.warning("Using pair tail corrections with non-periodic system")
-        self._check_set()
+        if not self.acts and settings.tail:
+            sim.console.warning("Using pair tail corrections with pair_modify compute no")
+        if not self.acts and settings.shift:
+            sim.console.warning("Using pair potential shift with pair_modify compute no")
+        if not self.acting:
+            self._complain("\nPair style not yet initialized")
+        if not all((kind, kind) in self.acting for kind in range(1, self.types + 1)):
+            self._complain(self._status())
+        for part in self.parts:
+            if self.hybrid and not any(part in acting for acting in self.acting.values()):
+                raise ScriptError(f"Pair hybrid sub-style {part.style.name} is not used", manual="pair_hybrid.html")
+        for part in self.parts:
+            part.check_weights(sim)
         for part in self.parts:
             for restriction in part.style.restrictions:
                 restriction.check(sim, part.options, part.style.manual)
-        mixed, unlike = 0, self.types * (self.types - 1) // 2
+        chosen = {pair: self._acting(pair) for pair in self._pairs()}
         for part in self.parts:
-            mine = [pair for pair in self._pairs() if part in self._acting(pair)]
-            mixed += part.complete(mine, self.types)
+            part.complete([pair for pair, acting in chosen.items() if part in acting], self.types)
         self.cut = np.max([part.cut for part in self.parts], axis=0)
-        self.alone = compose(self.working) if self.working else None
-        sim.console.both(f"Generated {mixed} of {unlike} mixed pair_coeff terms from {settings.mix} mixing rule\n")
+        unlike = self.types * (self.types - 1) // 2
+        sim.console.both(
+            f"Generated {self._mixed(chosen)} of {unlike} mixed pair_coeff terms from {settings.mix} mixing rule\n"
+        )
+
+    def _mixed(self, chosen: dict[Types, list[PairPart]]) -> int:
+        """How many pairs of types LAMMPS says that it mixed: under hybrid, every one after the first of its style, for ever."""
+        count = 0
+        for pair, acting in chosen.items():
+            for part in acting:
+                part.mixes = pair in part.mixed or (self.hybrid and part.mixes)
+            count += pair[0] != pair[1] and any(part.mixes for part in acting)
+        return count
 
     def _acting(self, pair: Types) -> list[PairPart]:
-        """The parts that act on a pair of types; where none was said, the one whose coefficients can be mixed."""
-        if pair in self.acting:
-            return self.acting[pair]
-        like = [self.acting.get((kind, kind), []) for kind in pair]
-        return like[0] if len(like[0]) == 1 and like[0] == like[1] and like[0][0].style.mix is not None else []
+        """The parts that act on a pair of types; where nothing was said, the one whose coefficients can be mixed."""
+        if pair not in self.acting:
+            first, second = (self.acting[kind, kind] for kind in pair)
+            if len(first) != 1 or first != second or first[0].style.mix is None:
+                self._complain(self._status())
+            return first
+        return self.acting[pair]
 
-    def _check_set(self) -> None:
-        hint, manual = "pair_coeff * * ... sets all", "pair_coeff.html"
-        if not self.acting:
-            raise ScriptError(
-                "All pair coeffs are not set. Status:\nPair style not yet initialized", hint=hint, manual=manual
-            )
-        pairs = self._pairs()
-        if all(pair in self.acting or self._acting(pair) for pair in pairs):
-            return
-        status = "".join(f"\n{i:6d} {j:6d}: is {'set' if (i, j) in self.acting else 'not set'}" for i, j in pairs)
-        raise ScriptError(f"All pair coeffs are not set. Status:{status}", hint=hint, manual=manual)
+    def _complain(self, status: str) -> NoReturn:
+        raise ScriptError(
+            f"All pair coeffs are not set. Status:{status}", hint="pair_coeff * * ... sets all", manual="pair_coeff.html"
+        )
+
+    def _status(self) -> str:
+        return "".join(
+            f"\n{i:6d} {j:6d}: is {'set' if (i, j) in self.acting else 'not set'}" for i, j in self._pairs()
+        )
 
     def write_coeffs(self, whole: bool) -> list[tuple[tuple[int, ...], list[float]]]:
-        """Lines of a data file: (I,) and numbers (Pair Coeffs), or whole: (I, J) and numbers (PairIJ Coeffs)."""
-        (part,) = self.parts
+        """Lines of a data file: (I,) and numbers (Pair Coeffs), or whole: (I, J) and numbers (PairIJ Coeffs).
+
+        None of styles that LAMMPS does not write there.
+        """
+        part = self.parts[0]
+        if self.hybrid or part.style.write is None:
+            return []
         if whole:
             return [(pair, part.style.write(*part.all[pair], True, part.options)) for pair in self._pairs()]
         return [((i,), part.style.write(*part.given[i, i], False, part.options)) for i in range(1, self.types + 1)]
@@ -227,10 +279,17 @@ class Pair:
     def tails(self, sim: Simulation) -> tuple[float, float]:
         """Long-range corrections (energy, pressure) before division by V and V*V; zero unless pair_modify tail yes."""
         energy = pressure = 0.0
-        for part in self.parts:
-            e, p = part.tails(sim)
-            energy += e
-            pressure += p
+        if self.settings.tail:
+            counts = np.bincount(sim.atoms.type[: sim.atoms.n], minlength=sim.atom_types + 1)
+            for i, j in self._pairs():
+                e = p = 0.0
+                for part in self._acting((i, j)):
+                    more_e, more_p = part.tails(sim, (i, j), counts)
+                    e += more_e
+                    p += more_p
+                for _ in range(1 if i == j else 2):
+                    energy += e
+                    pressure += p
         return energy, pressure
 
     def _pairs(self) -> list[Types]:

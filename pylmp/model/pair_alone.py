@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pylmp.kernels.exact import coefficients
 from pylmp.model.atoms import Floats, Ints
+from pylmp.text.diagnostic import Unsupported
 
 if TYPE_CHECKING:
     from pylmp.kernels.kinds import Function
@@ -29,6 +32,25 @@ class Alone:
     @property
     def width(self) -> int:
         return int(self.table.shape[2])
+
+
+def in_order(parts: list[PairPart], acting: Iterable[list[PairPart]]) -> list[PairPart]:
+    """parts such that those of every pair of types stand as pair_coeff named them: so LAMMPS adds them up.
+
+    Raises Unsupported where three or more would have to be added in different orders for different types.
+    """
+    before: dict[int, set[int]] = {k: set() for k in range(len(parts))}
+    for named in acting:
+        order = [parts.index(part) for part in named if part in parts]
+        for k, later in enumerate(order[1:] if len(order) > 2 else (), 1):
+            before[later].add(order[k - 1])
+    try:
+        return [parts[k] for k in TopologicalSorter(before).static_order()]
+    except CycleError:
+        raise Unsupported(
+            "LAMMPS adds up the pair styles that bond_style quartic takes out in another order for other types",
+            hint="name the styles in the same order in all pair_coeff commands",
+        ) from None
 
 
 def compose(parts: list[PairPart]) -> Alone:

@@ -48,11 +48,22 @@ class SortSettings:
 
 @dataclass
 class PairSettings:
-    """pair_modify: mixing rule of unlike types, energies shifted to zero at the cutoff, corrections for what lies beyond it."""
+    """pair_modify: mixing rule of unlike types, energies shifted to zero at the cutoff, corrections for what lies beyond it.
+
+    trim      hybrid may cut this style's neighbor list to its own cutoff
+    compute   the style acts
+    fdotr     the virial is summed over the forces on all atoms, not over pairs
+    lj coul   this style's own weights of 1-2, 1-3, 1-4 pairs; None: those of special_bonds
+    """
 
     mix: str = GEOMETRIC
     shift: bool = False
     tail: bool = False
+    trim: bool = True
+    compute: bool = True
+    fdotr: bool = True
+    lj: tuple[float, float, float] | None = None
+    coul: tuple[float, float, float] | None = None
 
 
 @dataclass

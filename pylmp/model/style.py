@@ -137,6 +137,7 @@ class PairStyle:
     settings   reads pair_style's words; options["cut"] is the global cutoff, if the style has one
     read       reads pair_coeff's words -> (coefficients, cutoff)
     mix        (coefficients, cutoff of type i, of type j, mixing rule) -> those of the unlike pair; None: not defined
+    mixes_energy   LAMMPS counts the pairs it mixes
     row        (coefficients, cutoff, shift) -> the numbers the law receives
     tail       (coefficients, cutoff, atoms of type i, of type j) -> (energy, pressure) integrals, or None
     alone      options -> law of a pair that LAMMPS evaluates alone, for bond_style quartic; None: the same as law
@@ -145,6 +146,7 @@ class PairStyle:
     watch      (r2, c) -> this pair must be reported
     report     (sim, part, row, row) raises the ScriptError of the first such pair
     restart    what a restart file holds of it
+    write      (coefficients, cutoff, whole, options) -> numbers of a line of Pair Coeffs (whole: PairIJ Coeffs); None: no such section
     """
 
     name: str
@@ -155,6 +157,7 @@ class PairStyle:
     read: Callable[[Args, Options], tuple[tuple[float, ...], float]]
     row: Callable[[tuple[float, ...], float, bool], tuple[float, ...]]
     mix: Callable[..., tuple[tuple[float, ...], float]] | None = None
+    mixes_energy: bool = True
     velocity: bool = False
     restrictions: tuple[Restriction, ...] = ()
     tail: Callable[[tuple[float, ...], float, float, float], tuple[float, float]] | None = None
@@ -163,7 +166,7 @@ class PairStyle:
     data: Callable[[tuple[Any, ...], float], Any] | None = None
     watch: Callable[[Any, Any], Any] | None = None
     report: Callable[[Simulation, Any, int, int], None] | None = None
-    write: Callable[[tuple[float, ...], float, bool, Options], list[float]] = field(
+    write: Callable[[tuple[float, ...], float, bool, Options], list[float]] | None = field(
         default=lambda coeffs, cut, whole, options: [*coeffs, cut] if whole else list(coeffs)
     )
     restart: Blob | None = None

@@ -10,8 +10,8 @@ from pylmp.text.words import Args, Word
 
 # Styles of the LAMMPS manual that pylmp lacks: known, not misspelled.
 ELSEWHERE = {
-    "pair": "lj/cut lj/cut/coul/cut lj/cut/coul/long lj/expand lj/smooth lj/gromacs lj96/cut soft morse buck buck/coul/cut born coul/cut "
-    "coul/long coul/debye yukawa table hybrid hybrid/overlay hybrid/scaled eam eam/alloy eam/fs sw tersoff airebo rebo reaxff dpd "
+    "pair": "lj/cut/coul/cut lj/cut/coul/long lj/smooth lj/gromacs lj96/cut buck buck/coul/cut born coul/cut "
+    "coul/long coul/debye yukawa table hybrid/scaled eam eam/alloy eam/fs sw tersoff airebo rebo reaxff dpd "
     "gran/hooke gran/hooke/history gran/hertz/history granular lubricate colloid gauss lj/class2 lj/cubic mie/cut python tri/lj zbl",
     "bond": "angles bpm/rotational class2 fene/nm gaussian harmonic/restrain lepton mesocnt mm3 oxdna/fene rheo/shell special table",
     "angle": "amoeba charmm class2 class2/p6 cosine cosine/buck6d cosine/delta cosine/periodic cosine/shift cosine/shift/exp "

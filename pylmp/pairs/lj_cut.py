@@ -27,9 +27,9 @@ def lj(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
     return select(inside, force, 0.0), select(inside, energy, 0.0)
 
 
-def settings(sim: Any, args: Args) -> Options:
+def global_cutoff(sim: Any, args: Args) -> Options:
     if len(args) != 1:
-        args.illegal(hint="pair_style lj/cut CUTOFF")
+        args.illegal(args.words[1] if len(args) else args.owner, hint="one number, the cutoff")
     return {"cut": args.number()}
 
 
@@ -73,7 +73,7 @@ PAIRS.add(
     PairStyle(
         name="lj/cut", manual="pair_lj_cut.html",
         coeffs=(Coeff("epsilon", "energy"), Coeff("sigma", "distance")),
-        law=lambda options: lj, settings=settings, read=read, row=row, mix=mix, tail=tail,
+        law=lambda options: lj, settings=global_cutoff, read=read, row=row, mix=mix, tail=tail,
         restart=Blob(
             settings=(("cut", NUMBER), ("shift", FLAG), ("mix", MIXING), ("tail", FLAG)), coeffs=("epsilon", "sigma", "cut"),
         ),

@@ -39,7 +39,7 @@ PAIRS.add(
     "zero",
     PairStyle(
         name="zero", manual="pair_zero.html", coeffs=(), law=None, settings=settings, read=read,
-        row=lambda coeffs, cut, shift: (), mix=mix,
+        row=lambda coeffs, cut, shift: (), mix=mix, mixes_energy=False,
         restart=Blob(
             settings=(("cut", NUMBER), ("nocoeff", UNLESS)), coeffs=("cut",), defaults=(("full", False),),
         ),

@@ -48,6 +48,18 @@ def harmonic_shift(r: Any, depth: Any, r0: Any, rc: Any) -> Any:
     return depth / (r0 - rc) ** 2 * ((r - r0) ** 2 - (rc - r0) ** 2)
 
 
+def soft(r: Any, a: Any, cut: Any) -> Any:
+    return a * (1 + mp.cos(mp.pi * r / cut)) if r < cut else 0
+
+
+def morse_pair(r: Any, d: Any, alpha: Any, r0: Any) -> Any:
+    return d * (mp.exp(-2 * alpha * (r - r0)) - 2 * mp.exp(-alpha * (r - r0)))
+
+
+def expanded(r: Any, epsilon: Any, sigma: Any, delta: Any) -> Any:
+    return lennard_jones(r - delta, epsilon, sigma)
+
+
 def spring_pair(r: Any, k: Any, rc: Any, ka: Any = 0) -> Any:
     """pair_bpm_spring.html without damping."""
     return k * (rc - r) ** 2 / 2 + ka * (rc - r) ** 4 / 4 if r < rc else 0

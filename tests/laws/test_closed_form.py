@@ -19,6 +19,9 @@ from pylmp.bonds.nonlinear import nonlinear
 from pylmp.bonds.quartic import quartic
 from pylmp.pairs.bpm_spring import spring
 from pylmp.pairs.lj_cut import lj, row
+from pylmp.pairs.lj_expand import expanded
+from pylmp.pairs.morse import morse as morse_pair
+from pylmp.pairs.soft import PI, soft
 from tests.laws import formulas
 
 QUARTIC = (1200.0, -0.55, 0.25, 1.3, 34.6878)
@@ -54,6 +57,12 @@ ENERGIES = {
         )
     },
     "lj/cut": (lambda r2, c: lj(r2, 0, 1, lj_row(*c, 9)), formulas.lennard_jones, (1.3, 0.9), 0.75, 2.5),
+    "morse pair": (
+        lambda r2, c: morse_pair(r2, 0, 1, (*c, 2 * c[0] * c[1], 0, 81)), formulas.morse_pair, (1.3, 1.7, 1.15), 0.75, 2.5,
+    ),
+    "lj/expand": (
+        lambda r2, c: expanded(r2, 0, 1, (*lj_row(c[0], c[1], 9)[:4], c[2], 0, 81)), formulas.expanded, (1.3, 0.9, 0.17), 0.95, 2.5,
+    ),
     "bpm/spring": (
         lambda r2, c: spring({"anharmonic": False})(r2, 0, 1, (c[0], 0.3, 0, c[1], c[1] * c[1])),
         formulas.spring_pair, (2.3, 1.9), 0.2, 2.2,
@@ -126,10 +135,26 @@ def largest_term(name: str, r: float, c: tuple[float, ...]) -> float:
         return c[0] * (1.0 + z) ** 2 * (1.0 + c[1] * r)
     if name == "gromos":
         return c[0] * (r * r + c[1] ** 2) ** 2
+    if name == "morse pair":
+        z = math.exp(-c[1] * (r - c[2]))
+        return c[0] * (z * z + 2.0 * z) * (1.0 + c[1] * r)
+    if name == "lj/expand":
+        s = r - c[2]
+        return 24.0 * c[0] * ((c[1] / s) ** 12 + (c[1] / s) ** 6) * r / s
     if name == "lj/cut":
         return 4.0 * c[0] * ((c[1] / r) ** 12 + (c[1] / r) ** 6)
     gap = abs(r - c[1])
     return max(c) * (1.0 + gap) ** 4 * (1.0 + r)
+
+
+def test_soft_is_the_formula() -> None:
+    """pi is the double nearest to it: the error of that alone bounds the deviation."""
+    a, cut = mp.mpf(1.3), mp.mpf(1.9)
+    for r in map(mp.mpf, radii(0.1, 2.4, 300)):
+        over_r, energy = soft(r * r, 0, 1, (a, cut, cut * cut))
+        assert abs(energy - formulas.soft(r, a, cut)) <= a * abs(mp.pi - PI) * r / cut
+        force = mp.pi * a / cut * mp.sin(mp.pi * r / cut) if r < cut else 0
+        assert abs(over_r * r - force) <= 3 * a / cut * abs(mp.pi - PI) * (1 + mp.pi)
 
 
 def test_lj_row_is_the_formula() -> None:

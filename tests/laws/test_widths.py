@@ -24,6 +24,7 @@ PLASTIC = [
 ]
 BOND_LAWS = [
     *(("bpm/spring/plastic", options, (10.3, 0.3, 0.51, 0.021)) for options in PLASTIC),
+    *(("bpm/spring", options, (10.3, 0.3, 0.51, 0.0)) for options in PLASTIC),
     ("quartic", {}, (1200.0, -0.55, 0.25, 1.3, 34.6878)),
     ("quartic/breakable", {}, (1200.0, -0.55, 0.25, 1.3, 34.6878)),
     ("quartic/unbreakable", {}, (200.0, -1.55, 0.57, 0.7, 3.022)),
@@ -39,6 +40,9 @@ BOND_LAWS = [
 ]
 PAIR_LAWS = [
     ("lj/cut", {}, (1.3, 0.9), 1.9),
+    ("soft", {}, (1.3,), 1.9),
+    ("morse", {}, (1.3, 1.7, 1.15), 1.9),
+    ("lj/expand", {}, (1.3, 0.9, 0.17), 1.7),
     ("bpm/spring", {"anharmonic": False}, (2.3, 0.4, 0.0), 1.9),
     ("bpm/spring", {"anharmonic": True}, (2.3, 0.4, 5.1), 1.9),
 ]
@@ -53,7 +57,7 @@ def test_no_law_is_forgotten() -> None:
 def test_bond_law(name: str, options: dict, c: tuple) -> None:
     style = BONDS.find(name)
     law = style.law(options)
-    h = (RANDOM.uniform(0.9, 1.1, N), RANDOM.normal(0, 0.05, N)) if style.history else ()
+    h = (RANDOM.uniform(0.9, 1.1, N), RANDOM.normal(0, 0.05, N))[: len(style.history)]
     whole = law(R2, DOT, h, tuple(np.full(N, x) for x in c))
     for q in range(N):
         one = law(float(R2[q]), float(DOT[q]), tuple(float(x[q]) for x in h), c)

@@ -97,7 +97,7 @@ def _lammps_arrays(lmp: Any) -> dict[str, np.ndarray]:
 def _sorted(rows: Any, size: int) -> np.ndarray:
     """Types (of those turned off too) and IDs of bonds, angles, ... in an order of their own; a bond's lower ID first."""
     table = np.array(rows, np.int64).reshape(-1, size + 1)
-    table = table[table[:, 1] > 0]  # LAMMPS leaves rows empty where atoms were lost
+    table = table[(table[:, 1] > 0) & (table[:, 0] != 0)]  # LAMMPS leaves rows empty where atoms were lost or bonds are broken
     if size == 2:
         table[:, 1:].sort(axis=1)
     return table[np.lexsort(table.T)]
@@ -112,7 +112,7 @@ def on_pylmp(script: str, folder: Path) -> Made:
     try:
         Interpreter(sim).run(script, "in.script")
     except ScriptError as error:
-        made.error = error.diagnostic.message
+        made.error = error.diagnostic.message.splitlines()[0]
         if error.diagnostic.span is None:
             made.error = f"(no place) {made.error}"
     finally:

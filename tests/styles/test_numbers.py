@@ -38,6 +38,13 @@ PAIRS = {
         for rule in ("geometric", "arithmetic", "sixthpower")
     },
     "cubic mixed": "pair_style bpm/spring anharmonic yes\npair_coeff 1 1 2.3 1.9 0.4 3\npair_coeff 2 2 1.1 2.7 0.9 4",
+    "soft": "pair_style soft 2.1\npair_coeff * * 1.3 1.9",
+    "soft mixed": "pair_style soft 2.1\npair_modify mix sixthpower\npair_coeff 1 1 1.3 1.9\npair_coeff 2 2 0.7",
+    "morse": "pair_style morse 2.1\npair_coeff * * 1.3 1.7 1.15 1.9",
+    "morse shift": "pair_style morse 2.1\npair_modify shift yes\npair_coeff * * 1.3 1.7 1.15",
+    "expand": "pair_style lj/expand 2.1\npair_coeff * * 1.3 0.9 0.17 1.9",
+    "expand mixed": "pair_style lj/expand 1.9\npair_modify shift yes mix arithmetic\npair_coeff 1 1 1.3 0.8 0.17 1.7\n"
+    "pair_coeff 2 2 0.7 0.95 -0.06",
     "zero": "pair_style zero 2.0\npair_coeff * *",
 }  # fmt: skip
 

@@ -8,13 +8,14 @@ from pylmp.kernels.kinds import Function
 
 def pair_loop(
     law: Function, width: int, *, newton: bool, velocity: bool, one_type: bool, weighted: bool, tally: bool,
-    tabled: bool = False, watch: Function = None, last: bool = True, share: bool = False,
+    tabled: bool = False, watch: Function = None, last: bool = True, share: bool = False, fdotr: bool = True,
 ) -> Function:  # fmt: skip
     """Compose the loop of one scene around law(r2, dot, factor, c) -> (force over r, energy).
 
     tabled  c ends with data, a table that the law looks things up in
     watch   None, or watch(r2, c) -> this pair must be reported
     share   each atom gets its share of energy and virial
+    fdotr   with newton on, the virial is summed over the forces on all atoms at the end, not over pairs
     last    of the styles that act one after the other: the virial is summed over the forces of all
 
     The law is evaluated for every listed pair and yields zero beyond its cutoff: without the unpredictable branch the
@@ -79,6 +80,13 @@ def pair_loop(
                 if tally:
                     if newton:
                         energy += e
+                        if not fdotr:
+                            virial[0] += dx * dx * force
+                            virial[1] += dy * dy * force
+                            virial[2] += dz * dz * force
+                            virial[3] += dx * dy * force
+                            virial[4] += dx * dz * force
+                            virial[5] += dy * dz * force
                     else:
                         ends = 2 if j < n else 1
                         for _ in range(ends):
@@ -96,7 +104,7 @@ def pair_loop(
             f[3 * i] = fx
             f[3 * i + 1] = fy
             f[3 * i + 2] = fz
-        if tally and newton and last:
+        if tally and newton and fdotr and last:
             xx = yy = zz = xy = xz = yz = 0.0
             for i in range(total):
                 xx += x[3 * i] * f[3 * i]
