@@ -22,7 +22,7 @@ def compute_modify(sim: Simulation, args: Args) -> None:
             compute.extra_dof = args.number()
         elif key.text == "dynamic/dof":
             args.need(1, key.text)
-            compute.dynamic = args.yes()
+            compute.recount = args.yes()
         else:
             text = f"Compute {compute.id} {compute.style} does not support compute_modify {key.text} command"
             args.fail(text, key, hint="extra/dof dynamic/dof")

@@ -47,8 +47,12 @@ def run(sim: Simulation, args: Args) -> None:
         _segment(sim, RunPlan(steps, begin, end, setup), post=request.post or (request.every > 0 and left == 0))
         if sim.report.interrupted:
             raise KeyboardInterrupt
+        if request.commands:
+            sim.asking.block()
         for word in request.commands:
             sim.script.execute(word.text)
+        if request.commands:
+            sim.asking.again(sim.step + request.every)
         if sim.halted:
             break
         first = False

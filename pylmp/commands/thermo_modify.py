@@ -34,11 +34,14 @@ def thermo_modify(sim: Simulation, args: Args) -> None:
 
 def _temp(sim: Simulation, thermo: Thermo, args: Args) -> None:
     word = args.word()
+    if not thermo.uses("t"):
+        args.fail("Thermo style does not use temp", word, hint="a column that needs the temperature")
     if word.text not in sim.computes:
         args.fail(f"Could not find thermo_modify temperature compute {word.text}", word)
     compute = sim.computes[word.text]
     if not isinstance(compute, Temperature):
         args.fail(f"Thermo_modify compute {word.text} does not compute temperature", word)
+    thermo.redirect(thermo.temp, word.text, ("scalar",))
     thermo.temp = word.text
     if compute.bit != 1:
         sim.console.warning("Temperature for thermo pressure is not for group all")
@@ -49,10 +52,14 @@ def _temp(sim: Simulation, thermo: Thermo, args: Args) -> None:
 
 def _press(sim: Simulation, thermo: Thermo, args: Args) -> None:
     word = args.word()
+    if not thermo.uses("ps"):
+        args.fail("Thermo style does not use press", word, hint="a column that needs the pressure")
     if word.text not in sim.computes:
         args.fail(f"Could not find thermo_modify pressure compute {word.text}", word)
     if not settable(sim, word.text, "vector") or sim.computes[word.text].style != "pressure":
         args.fail(f"Thermo_modify compute {word.text} does not compute pressure", word)
+    kinds = ("scalar",) * thermo.uses("p") + ("vector",) * thermo.uses("s")
+    thermo.redirect(thermo.press, word.text, kinds)
     thermo.press = word.text
 
 

@@ -11,6 +11,7 @@ from pylmp.model.asking import ATOM_ENERGY
 from pylmp.model.atoms import Floats
 from pylmp.model.compute import Compute
 from pylmp.model.registry import COMPUTES
+from pylmp.model.shares import shares
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
@@ -36,14 +37,7 @@ class PotentialEnergyOfAtoms(Compute):
 
     def per_atom(self, sim: Simulation) -> Floats:
         """(n,)"""
-        tally, atoms = sim.tally, sim.atoms
-        if not tally.has(ATOM_ENERGY, sim.step):
+        if not sim.tally.has(ATOM_ENERGY, sim.step):
             raise ScriptError("Per-atom energy was not tallied on needed timestep", hint="use it on thermo or dump steps")
-        energies = np.zeros((atoms.total, 1))
-        if "pair" in self.parts and len(tally.pair_shares):
-            energies += tally.pair_shares[:, :1]
-        if "bond" in self.parts and len(tally.bond_shares):
-            energies += tally.bond_shares[:, :1]
-        if sim.newton_pair or sim.newton_bond:
-            sim.lists.ghosts.fold(energies)
-        return np.where(self.members(sim), energies[: atoms.n, 0], 0.0)
+        energies = shares(sim, [part for part in ("pair", "bond") if part in self.parts], slice(0, 1))
+        return np.where(self.members(sim), energies[:, 0], 0.0)

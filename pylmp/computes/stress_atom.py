@@ -14,6 +14,7 @@ from pylmp.model.asking import ATOM_VIRIAL
 from pylmp.model.atoms import Floats
 from pylmp.model.compute import Compute
 from pylmp.model.registry import COMPUTES
+from pylmp.model.shares import shares
 from pylmp.model.simulation import Simulation
 from pylmp.model.temperature import Temperature
 from pylmp.text.diagnostic import ScriptError
@@ -53,22 +54,15 @@ class StressOfAtoms(Compute):
 
     def per_atom(self, sim: Simulation) -> Floats:
         """(n, 6)"""
-        tally, n = sim.tally, sim.atoms.n
-        if not tally.has(ATOM_VIRIAL, sim.step):
+        if not sim.tally.has(ATOM_VIRIAL, sim.step):
             raise ScriptError("Per-atom virial was not tallied on needed timestep", hint="use it on thermo or dump steps")
-        stress = np.zeros((sim.atoms.total, 6))
-        if "pair" in self.parts and len(tally.pair_shares):
-            stress += tally.pair_shares[:, 1:]
-        if "bond" in self.parts and len(tally.bond_shares):
-            stress += tally.bond_shares[:, 1:]
-        for fix in sim.fixes if "fix" in self.parts else []:
-            if fix.in_virial and fix.virial_shares is not None:
-                stress[:n] += fix.virial_shares
-        if sim.newton_pair or sim.newton_bond:
-            sim.lists.ghosts.fold(stress)
+        fixes = [fix for fix in sim.fixes if fix.in_virial and fix.virial_shares is not None and "fix" in self.parts]
+        stress = shares(
+            sim, [part for part in ("pair", "bond") if part in self.parts], slice(1, 7), [fix.virial_shares for fix in fixes]
+        )
         rows = self.members(sim)
-        result = np.zeros((n, 6))
-        result[rows] = stress[:n][rows]
+        result = np.zeros((sim.atoms.n, 6))
+        result[rows] = stress[rows]
         if "ke" in self.parts:
             result[rows] += self._motion(sim, rows)
         result[rows] *= -sim.units.nktv2p
@@ -77,6 +71,8 @@ class StressOfAtoms(Compute):
     def _motion(self, sim: Simulation, rows: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> Floats:
         """(k, 6) m v_a v_b of the chosen atoms."""
         found = sim.computes.get(self.temperature or "")
+        if isinstance(found, Temperature) and found.bias:
+            found.at_step(sim, "scalar")  # others may read it
         v = found.thermal(sim, rows) if isinstance(found, Temperature) else sim.atoms.v[: sim.atoms.n][rows]
         m = sim.units.mvv2e * sim.masses()[rows]
         x, y, z = v.T

@@ -19,7 +19,7 @@ from pylmp.text.words import Args
 class TempRegion(Temperature):
     style = "temp/region"
     bias = True
-    dynamic = True
+    recount = True
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)

@@ -34,7 +34,8 @@ class Compute:
     extensive_scalar extensive_vector extensive_array  thermo divides them by the number of atoms when norm is on
     varying    the length of its vector, the rows of its array may change
     tallies    what the engine must sum on the steps that ask for it: ENERGY | VIRIAL | ATOM_ENERGY | ATOM_VIRIAL
-    extra_dof dynamic   as compute_modify said: degrees of freedom taken off, whether they are counted at every evaluation
+    extra_dof recount   as compute_modify said: degrees of freedom taken off, whether they are counted at every evaluation
+    dynamic    recount, as it was when the last run began
     invoked    kind -> (step, value) of the last evaluation of this run
     evaluated  kind -> value of the current block
     """
@@ -46,7 +47,7 @@ class Compute:
     varying = False
     tallies = 0
     extra_dof = 0.0
-    dynamic = False
+    recount = dynamic = False
     ready = False  # a run was set up since its definition
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:

@@ -217,6 +217,7 @@ class Simulation:
             if hasattr(fix, "init"):
                 fix.init(self)
         for compute in self.computes.values():
+            compute.dynamic = compute.recount
             compute.init(self)
             compute.ready = True
         self.asking.init(self.step)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 
 from pylmp.io.run_log import memory_line
 from pylmp.model.asking import ENERGY
@@ -112,6 +114,22 @@ class Thermo:
     @property
     def normed(self) -> bool:
         return self.sim.units.norm if self.norm is None else self.norm
+
+    def redirect(self, before: str, after: str, kinds: Sequence[str]) -> None:
+        """As in LAMMPS a column ``c_before`` shows the compute that takes before's place in thermo keywords, if a keyword reads the same
+        values of it.
+        """
+        for k, entry in enumerate(self.chosen):
+            found = entry.reference
+            if found is not None and (found.kind, found.name) == ("c", before):
+                values, at = ("scalar", "vector", "array")[len(found.index)], tuple(n - 1 for n in found.index)
+                if values in kinds:
+                    other = replace(found, name=after)
+                    self.chosen[k] = replace(entry, reference=other, value=partial(_measured, other, values, at))
+
+    def uses(self, needs: str) -> bool:
+        """Some column needs one of these (letters as in Keyword.needs)."""
+        return any(letter in entry.needs for entry in self.chosen for letter in needs)
 
     def cpu(self) -> float:
         """Wall seconds since the loop of the run began; 0 on the line before its first step."""
@@ -238,6 +256,10 @@ class Thermo:
             self._warned = True
             sim.console.warning(text)
         sim.natoms = sim.atoms.n
+
+
+def _measured(found: Reference, values: str, at: tuple[int, ...], thermo: Thermo) -> float:
+    return thermo.measure(found, values, at)
 
 
 def settable(sim: Simulation, identity: str, values: str = "scalar") -> bool:
