@@ -31,4 +31,4 @@ def compute(sim: Simulation, args: Args) -> None:
     inner = Args(f"compute {style.text}", args.rest(), style, f"compute_{style.text.replace('/', '_')}.html")
     new = sim.computes[identity.text] = kind(sim, identity.text, group.text, bit, inner)
     if sim.waiting is not None:
-        sim.waiting.offer_atoms(sim, new, new.store, "STORE/ATOM")
+        sim.waiting.offer(sim, new, new.store, "STORE/GLOBAL", "STORE/ATOM")

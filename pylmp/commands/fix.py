@@ -38,4 +38,4 @@ def fix(sim: Simulation, args: Args) -> None:
         new.born = sim.fixes[place].born
         sim.fixes[place] = new
     if sim.waiting is not None:
-        sim.waiting.offer(sim, new)
+        sim.waiting.offer(sim, new, new.id, new.style, new.style)

@@ -5,6 +5,8 @@ Columns x, y, z, total. Source: LAMMPS manual, compute_msd_chunk.html.
 
 from __future__ import annotations
 
+import struct
+
 import numpy as np
 
 from pylmp.model.atoms import Floats
@@ -31,6 +33,17 @@ class MeanSquaredDisplacementOfChunks(OfChunks):
         """Where the centers are when the first run begins."""
         if self.start is None:
             self.start = self._centers(sim)
+
+    def state(self, sim: Simulation) -> bytes:
+        """Rows, columns, and the centers; before the first run one number."""
+        start = np.zeros((1, 1)) if self.start is None else self.start
+        return struct.pack("<2d", *start.shape) + start.astype("<f8").tobytes()
+
+    def restore(self, sim: Simulation, state: bytes) -> None:
+        rows, columns = (int(count) for count in struct.unpack_from("<2d", state))
+        values = np.frombuffer(state, "<f8", offset=16)
+        if columns == 3:
+            self.start = values.reshape(rows, columns).copy()
 
     def _centers(self, sim: Simulation) -> Floats:
         rows, ids, count = self.chunked(sim)

@@ -35,14 +35,10 @@ def flag(part: BondPart) -> bytes:
 
 
 def values(sim: Simulation, part: BondPart) -> Floats:
-    """(n, slots * memory): slot by slot; under hybrid 0 where there is no bond of this style."""
+    """(n, slots * memory): slot by slot."""
     atoms = sim.atoms
     n, slots = atoms.n, atoms.bond_per_atom
-    kept = atoms.bond_history[:n, :, : part.memory]
-    if len(sim.bond.parts) > 1:
-        used = np.arange(slots) < atoms.num_bond[:n, None]
-        kept = np.where((used & part.mine.astype(bool)[np.abs(atoms.bond_type[:n])])[:, :, None], kept, 0.0)
-    return np.asarray(kept.reshape(n, slots * part.memory))
+    return np.asarray(atoms.bond_history[:n, :, : part.memory].reshape(n, slots * part.memory))
 
 
 def take(sim: Simulation, part: BondPart) -> None:

@@ -116,10 +116,9 @@ class BondList(Listing):
         self.misplaced = None
 
     def store_reference(self, sim: Simulation) -> None:
-        """At the first evaluation ever: r0 of every slot is its length by minimum image, everything else 0."""
+        """At the first evaluation ever: r0 of every slot is its length by minimum image, also of bonds of other styles."""
         self.part.stored = True
-        mine = self.mine.astype(bool)
-        rows, slots, partners = bond_pairs(sim, lambda kinds: (kinds > 0) & mine[np.maximum(kinds, 0)])
+        rows, slots, partners = bond_pairs(sim, lambda kinds: kinds > 0)
         keep = partners >= 0
         rows, slots, partners = rows[keep], slots[keep], partners[keep]
         x = sim.atoms.x

@@ -69,8 +69,15 @@ class Compute:
 
     @property
     def store(self) -> str:
-        """The ID under which restart files hold its atom_state."""
+        """The ID under which restart files hold its state and atom_state."""
         return f"{self.id}_COMPUTE_STORE"
+
+    def state(self, sim: Simulation) -> bytes | None:
+        """What a restart file keeps of it, as LAMMPS lays it out; None: nothing."""
+        return None
+
+    def restore(self, sim: Simulation, state: bytes) -> None:
+        """Go on from state."""
 
     def atom_state(self, sim: Simulation) -> NDArray[np.float64] | None:
         """(n, k) what a restart file keeps of it with each atom; None: nothing."""

@@ -67,20 +67,17 @@ class Waiting:
             )  # fmt: skip
         return values
 
-    def offer(self, sim: Simulation, fix: Fix) -> None:
-        """A fix was defined: give it what is its own. Raises ScriptError if that was kept by another kind of fix."""
-        if (state := self.take(sim, fix.id, fix.style)) is not None:
+    def offer(self, sim: Simulation, owner: Fix | Compute, identity: str, style: str, per_atom: str) -> None:
+        """Something was defined: give it what is its own. identity, style, per_atom: how LAMMPS calls what keeps it, globally and
+        with the atoms. Raises ScriptError if that was kept by another kind of fix."""
+        if (state := self.take(sim, identity, style)) is not None:
             try:
-                fix.restore(sim, state)
+                owner.restore(sim, state)
             except (struct.error, ValueError, OverflowError):
-                says, hint = f"Fix {fix.id} settings not consistent with restart", "the settings of the run that wrote the file"
+                says, hint = f"Fix {identity} settings not consistent with restart", "the settings of the run that wrote the file"
                 raise ScriptError(says, hint=hint, manual="read_restart.html") from None
-        self.offer_atoms(sim, fix, fix.id, fix.style)
-
-    def offer_atoms(self, sim: Simulation, owner: Fix | Compute, identity: str, style: str) -> None:
-        """The same for what is kept with the atoms; identity, style: how LAMMPS calls what keeps it."""
         own = owner.atom_state(sim)
-        if own is not None and (values := self.take_atoms(sim, identity, style, own.shape[1])) is not None:
+        if own is not None and (values := self.take_atoms(sim, identity, per_atom, own.shape[1])) is not None:
             owner.restore_atoms(sim, values)
 
     def _announce(self, sim: Simulation, what: str, entry: _Entry) -> None:

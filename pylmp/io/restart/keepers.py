@@ -26,7 +26,9 @@ class Keeper:
 def keepers(sim: Simulation) -> list[Keeper]:
     """All that keep something."""
     found = [Keeper(fix.born, fix.id, fix.style, fix.state(sim), fix.atom_state(sim)) for fix in sim.fixes]
-    found += [Keeper(c.born, c.store, "STORE/ATOM", None, c.atom_state(sim)) for c in sim.computes.values()]
+    for compute in sim.computes.values():
+        found.append(Keeper(compute.born, compute.store, "STORE/GLOBAL", compute.state(sim)))
+        found.append(Keeper(compute.born, compute.store, "STORE/ATOM", None, compute.atom_state(sim)))
     found += _of_bonds(sim)
     found = [keeper for keeper in found if keeper.state is not None or keeper.values is not None]
     return sorted(found, key=lambda keeper: keeper.born)
