@@ -127,7 +127,7 @@ def _create(sim: Simulation, args: Args, words: list[Word], options: Options, ch
         v[chosen] -= center_of_mass_velocity(sim, chosen)
     if options.rot:
         remove_rotation(sim, chosen)
-    _rescale(sim, args, compute, target, chosen)
+    _rescale(sim, args, compute.scalar(sim), target, chosen)
     if drift:
         drift.restore_bias(sim, everyone, kept)
     if options.sum:
@@ -183,8 +183,8 @@ def _draws(sim: Simulation, args: Args, options: Options, seed: int, chosen: Cho
     return result
 
 
-def _rescale(sim: Simulation, args: Args, compute: Temperature, target: float, chosen: Chosen) -> None:
-    now = compute.scalar(sim)
+def _rescale(sim: Simulation, args: Args, now: float, target: float, chosen: Chosen) -> None:
+    """From temperature now to target."""
     if now == 0.0:
         args.fail("Attempting to rescale a 0.0 temperature", args.owner)
     ratio = target / now
@@ -195,8 +195,9 @@ def _scale(sim: Simulation, args: Args, words: list[Word], options: Options, cho
     target = args.as_number(words[0])
     compute = _ready(sim, options)
     everyone = np.ones(sim.atoms.n, bool)
+    now = compute.scalar(sim)
     kept = compute.remove_bias(sim, everyone) if options.bias else None
-    _rescale(sim, args, compute, target, chosen)
+    _rescale(sim, args, now, target, chosen)
     if options.bias:
         compute.restore_bias(sim, everyone, kept)
 

@@ -15,6 +15,7 @@ from pylmp.model.fix import Fix
 from pylmp.model.motion import center_of_mass
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
+from pylmp.model.sums import total
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
@@ -61,18 +62,19 @@ class Recenter(Fix):
         later = sim.fixes[sim.fixes.index(self) + 1 :]
         if any(fix.integrates or fix.style == self.style for fix in later):
             sim.console.warning("Fix recenter should come after all other integration fixes")
-        self._start = center_of_mass(sim, rows)
+        self._mass = total(sim.masses()[rows])  # LAMMPS divides by the mass there was when the run began
+        self._start = center_of_mass(sim, rows, self._mass)
 
     def initial_integrate(self, sim: Simulation) -> None:
-        box, goal = sim.box, []
+        (low, high), goal = sim.box.bounds, []
         for d, to in enumerate(self.to):
             if isinstance(to, str):
                 goal.append(float(self._start[d]))
             elif self.units == "fraction":
-                goal.append(float(box.lo[d] + to * (box.hi[d] - box.lo[d])))
+                goal.append(float(low[d] + to * (high[d] - low[d])))
             else:
                 goal.append(to)
-        now = center_of_mass(sim, self.members(sim))
+        now = center_of_mass(sim, self.members(sim), self._mass)
         self._shift = np.array([0.0 if self.to[d] == "NULL" else goal[d] - float(now[d]) for d in range(3)])
         moved = (sim.atoms.mask[: sim.atoms.n] & self.shift_bit) != 0
         for d in range(3):

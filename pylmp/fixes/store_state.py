@@ -62,7 +62,7 @@ class StoreState(Fix):
         name = word.text
         if absent(sim, name) and name not in _NOT_HERE:
             args.fail(f"Cannot use fix store/state {name} for atom style {sim.atom_style}", word)
-        if name == "xsu":  # of this one LAMMPS keeps all digits, other than of ysu and zsu
+        if name == "xsu" and not sim.box.triclinic:  # of this one LAMMPS keeps all digits, other than of ysu and zsu
             return lambda sim: ATTRIBUTES["xs"].values(sim, np.arange(sim.atoms.n), {}) + sim.atoms.image[: sim.atoms.n, 0]
         if name in ATTRIBUTES and name not in _NOT_HERE:
             return lambda sim: ATTRIBUTES[name].values(sim, np.arange(sim.atoms.n), {})

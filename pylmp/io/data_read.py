@@ -19,7 +19,7 @@ from pylmp.io.data_rows import read_atoms, read_velocities
 from pylmp.io.data_topology import Scanned, keep, scan
 from pylmp.io.data_types import TypeMap
 from pylmp.model.atoms import MOST_SLOTS, MOST_TYPES, Atoms, Floats, Ints, ten_bits
-from pylmp.model.box import Box
+from pylmp.model.box import FARTHEST, Box
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special
 from pylmp.model.topology import BOND, KIND, KINDS
@@ -27,7 +27,6 @@ from pylmp.model.triclinic import Triclinic
 from pylmp.text.diagnostic import Unsupported
 
 _EDGE = 1.0e-6  # of the box length: how far outside a periodic face a wrapped atom may lie
-_FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out
 _LARGEST_ID = 20_000_000  # tables by ID are kept
 Mask = NDArray[np.bool_]
 
@@ -277,12 +276,12 @@ class Reader:
         """Wrap x and image in place; (k,) bool: which atoms lie in the box then."""
         box = self.sim.box
         for d, periodic in enumerate(box.periodic):
-            far = np.abs(x[:, d] - box.lo[d]) > _FARTHEST * box.length[d]
+            far = np.abs(x[:, d] - box.lo[d]) > FARTHEST * box.length[d]
             if periodic and far.any():
                 self.file.fail(
                     "Atom is too far outside the periodic box",
                     int(lines[np.argmax(far)]),
-                    hint=f"within {_FARTHEST:g} lengths",
+                    hint=f"within {FARTHEST:g} lengths",
                 )
         box.remap(x, image)
         lo, hi = box.frame

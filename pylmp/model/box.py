@@ -16,9 +16,21 @@ from numpy.typing import NDArray
 from pylmp.model.atoms import Atoms, Floats, Ints, ten_bits
 from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
+from pylmp.text.number import shortest
 
+FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out, and LAMMPS would wrap it for ever
+_FAR = 16.0  # box lengths between two atoms that LAMMPS does not look beyond
 SHRINK_MARGIN = 1.0e-4  # of the box length: how far a shrink-wrapped face stays outside the extreme atom
 Boundary = tuple[tuple[str, str], ...]
+
+
+def check_near(separations: Floats, length: float) -> None:
+    """Raise ScriptError if one of (n,) is many box lengths."""
+    far = np.abs(separations) > _FAR * length
+    if far.any():
+        worst = shortest(float(separations[int(np.argmax(far))]))
+        says = f"Atoms have moved too far apart ({worst}) for minimum image"
+        raise ScriptError(says, hint="a smaller timestep, or neighbor lists made anew more often")
 
 
 class Box:
@@ -222,6 +234,8 @@ class Box:
                 continue
             lo, hi = lows[d], highs[d]
             length = hi - lo
+            if (np.abs(x[:, d] - lo) > FARTHEST * length).any():
+                raise ScriptError("Atom is too far outside the periodic box", hint=f"within {FARTHEST:g} box lengths")
             while (out := x[:, d] < lo).any():
                 x[out, d] += length
                 image[out, d] = ten_bits(image[out, d] - 1)
@@ -257,7 +271,8 @@ class Box:
         x += image * self.length
 
     def minimum_image(self, delta: Floats) -> Floats:
-        """(n, 3) separations moved to their nearest periodic image; strict > half, as often as it takes."""
+        """(n, 3) separations moved to their nearest periodic image; strict > half, as often as it takes. Raises ScriptError for
+        those of many boxes."""
         delta = np.array(delta)
         for d, periodic in enumerate(self.periodic):
             if not periodic:
@@ -265,6 +280,7 @@ class Box:
             length = self.hi[d] - self.lo[d]
             half = 0.5 * length
             column: NDArray[np.float64] = delta[:, d]
+            check_near(column, length)
             while (out := np.abs(column) > half).any():
                 column[out] += np.where(column[out] < 0.0, length, -length)
         return delta

@@ -12,7 +12,7 @@ from typing import ClassVar, Self
 import numpy as np
 
 from pylmp.model.atoms import Atoms, Floats, Ints
-from pylmp.model.box import Boundary, Box
+from pylmp.model.box import Boundary, Box, check_near
 from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
 
@@ -169,6 +169,7 @@ class Triclinic(Box):
             length = self.hi[d] - self.lo[d]
             half = 0.5 * length
             shift = np.array(((length, 0.0, 0.0), (xy, length, 0.0), (xz, yz, length))[d])
+            check_near(delta[:, d], length)
             while (out := np.abs(delta[:, d]) > half).any():
                 delta[out] += np.where(delta[out, d] < 0.0, 1.0, -1.0)[:, None] * shift
         return delta
