@@ -13,7 +13,7 @@ from tests.oracle.test_decks import diff, failures
 DECKS = Path(__file__).parents[1] / "decks"
 NAMES = (
     "bond/fene", "command/delete_atoms", "command/displace_atoms", "command/minimize", "command/replicate", "command/reset_atoms",
-    "compute/msd", "compute/rdf", "compute/stress_atom", "dump/custom", "region/sphere", "variable/atom",
+    "command/velocity", "compute/msd", "compute/rdf", "compute/stress_atom", "dump/custom", "fix/store_state", "region/sphere", "variable/atom",
 )  # fmt: skip
 
 
