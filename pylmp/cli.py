@@ -112,6 +112,7 @@ def _parser() -> argparse.ArgumentParser:
         choices=("write", "env", "shell"),
         help="let the script write outside the working directory, read the environment, use the shell",
     )
+    add("--max-commands", type=int, metavar="N", help="stop a script that carries out more commands (default: no limit)")
     add("--version", action="version", version=f"pylmp {__version__}")
     return parser
 
@@ -148,7 +149,7 @@ class Session:
             return WRONG
         sim = Simulation(console, Exact())
         sim.strict = options.strict
-        interpreter = Interpreter(sim, options.allow)
+        interpreter = Interpreter(sim, options.allow, options.max_commands)
         interpreter.echo = options.echo
         console.both(f"{BANNER}\n  pylmp {__version__}, engine {sim.engine.name if sim.engine else 'none'}, 1 thread\n")
         if options.skiprun:

@@ -3,70 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
-from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple, NoReturn
+from typing import NoReturn
 
 from pylmp.kernels import disk
-from pylmp.model.registry import COMMANDS, Command
+from pylmp.model.registry import COMMANDS
 from pylmp.model.simulation import Simulation
+from pylmp.model.unknown import is_elsewhere, unsupported
 from pylmp.references.scope import Scope
+from pylmp.script import Ready, Script, complain, inside, prepare, read_script, ready_line
+from pylmp.survey import Missing, survey
 from pylmp.text import grammar
 from pylmp.text.diagnostic import ScriptError, Unsupported
-from pylmp.text.grammar import Rejection, check, rules
-from pylmp.text.lines import Text, as_ascii, decode, logical_lines, plain
+from pylmp.text.lines import Text, as_ascii, logical_lines, plain
 from pylmp.text.span import Span
-from pylmp.text.substitute import split, substitute, substitute_word, varies
+from pylmp.text.substitute import split, substitute, substitute_word
 from pylmp.text.variables import Variables, immediate
 from pylmp.text.words import Args, Word
 
 grammar.store = disk  # parser tables are kept where machine code is
 _DEEPEST = 16  # files that include files
-
-
-@dataclass
-class Script:
-    """A file being executed: its logical lines, the next one, where its labels are."""
-
-    name: str
-    lines: list[Text]
-    at: int = 0
-    labels: dict[str, int] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        for number, line in enumerate(self.lines):
-            words = line.text.split("#")[0].split()
-            if words[:1] == ["label"] and len(words) == 2:
-                self.labels.setdefault(words[1], number)
-
-
-class Ready(NamedTuple):
-    """The words of a line whose variables are replaced, its command (None: no such), and what its shape lacks."""
-
-    words: list[Word]
-    command: Command | None
-    rejection: Rejection | None
-
-
-def _prepare(words: list[Word]) -> Ready:
-    if not words:
-        return Ready(words, None, None)
-    name = words[0].text
-    command = COMMANDS.find(name) if name in rules() else None
-    return Ready(words, command, check(words) if command is not None else None)
-
-
-@lru_cache(4096)
-def _ready(line: Text) -> Ready | None:
-    """A line in which nothing is to be replaced, read once; None for others."""
-    if not line.text.isascii() or varies(line):
-        return None
-    return _prepare(split(substitute(line, _no_lookup)))
-
-
-def _no_lookup(key: str, is_formula: bool) -> str:
-    raise AssertionError(key)
+_RUNS = ("run", "minimize")
 
 
 class Interpreter:
@@ -75,19 +32,22 @@ class Interpreter:
     variables   outlive clear
     allow       what an untrusted script may do: "write" outside the working directory, "read" too
     echo        where commands are repeated: "none", "screen", "log", "both"
+    most        commands that may be carried out, None: any number
     """
 
-    def __init__(self, sim: Simulation, allow: Iterable[str] = ()) -> None:
+    def __init__(self, sim: Simulation, allow: Iterable[str] = (), most: int | None = None) -> None:
         self.sim = sim
         sim.script = self
         self.variables = Variables()
         self.allow = frozenset(allow)
         self.echo = "log"
+        self.most = most
+        self.count = 0  # commands carried out
         self.scope = Scope(sim, self.variables)
         self._stack: list[Script] = []
         self._sources: dict[str, list[str]] = {}
         self._skip_jump = False
-        self._warned = False
+        self._warned = self._surveyed = False
 
     # ---- files and flow -------------------------------------------------------------------------------------
 
@@ -154,19 +114,23 @@ class Interpreter:
     def execute_line(self, line: Text) -> None:
         """Echo, substitute, split, check the shape, carry out."""
         self._echo(line.text)
-        ready = _ready(line)
+        ready = ready_line(line)
         if ready is None:
             text = line if line.text.isascii() else self._as_ascii(line)
-            ready = _prepare(split(substitute(text, self._lookup, self._echo)))
+            ready = prepare(split(substitute(text, self._lookup, self._echo)))
         if ready.words:
             self._carry_out(ready, line.text)
 
     def execute_words(self, words: Sequence[Word]) -> None:
         """Execute one command given as words, variables replaced."""
-        self._carry_out(_prepare(list(words)), " ".join(word.text for word in words))
+        self._carry_out(prepare(list(words)), " ".join(word.text for word in words))
 
     def _carry_out(self, ready: Ready, typed: str) -> None:
         owner, command = ready.words[0], ready.command
+        self.count += 1
+        if self.most is not None and self.count > self.most:
+            hint = "a loop without end? --max-commands sets the limit"
+            raise ScriptError(f"The script was stopped after {self.most} commands", owner.span, hint=hint, code="S104")
         if command is None:
             self._unknown(typed, owner)
         if command.needs_box and not self.sim.has_box:
@@ -174,13 +138,48 @@ class Interpreter:
                 f"{command.name.capitalize()} command before simulation box is defined", owner.span,
                 hint="create_box or read_data comes first", manual=command.manual,
             )  # fmt: skip
+        if command.name in _RUNS and not self._surveyed:
+            self._survey(owner)
         args = Args(command.name, ready.words[1:], owner, command.manual)
         try:
             command.run(self.sim, args)  # of a line with the wrong shape it says what LAMMPS says
+        except Unsupported as error:
+            raise self._with_others(error.at(owner.span)) from None
         except ScriptError as error:
             raise error.at(owner.span) from None
         if ready.rejection is not None:
             complain(ready.rejection, args)
+
+    # ---- what only LAMMPS can do ------------------------------------------------------------------------------
+
+    def _missing(self) -> list[Missing]:
+        """What only LAMMPS has in the lines to come."""
+        ahead = (line for script in reversed(self._stack) for line in script.lines[script.at :])
+        return survey(ahead, self._peek)
+
+    def _peek(self, path: Path) -> list[Text] | None:
+        try:
+            return self._script(read_script(path), str(path)).lines
+        except ScriptError:
+            return None
+
+    def _survey(self, owner: Word) -> None:
+        """Before the first step: a script that cannot be carried out to its end is not begun."""
+        self._surveyed = True
+        missing = self._missing()
+        certain = [one for one in missing if not one.doubtful]
+        if certain:
+            first, *others = certain
+            text = f"LAMMPS has {first.what}, pylmp's native engines do not"
+            hint = "no step was made; --engine lammps runs this script on LAMMPS"
+            raise Unsupported(text, first.span, hint=hint).along((one.span, one.what) for one in others)
+        for one in missing:
+            self.sim.console.warning(f"{one.span}: LAMMPS has {one.what}, pylmp's native engines do not: the script ends there")
+
+    def _with_others(self, error: Unsupported) -> Unsupported:
+        """An error, with what else only LAMMPS has further on."""
+        error.along((one.span, one.what) for one in self._missing() if not one.doubtful)
+        return error
 
     def substitute_text(self, word: Word, echo: bool = False) -> str:
         """The text of a word with its references replaced: what print, if and string variables do with quoted words."""
@@ -215,66 +214,13 @@ class Interpreter:
             self.sim.console.screen(text + "\n")
 
     def _unknown(self, typed: str, owner: Word) -> NoReturn:
-        if owner.text in ELSEWHERE:
-            raise Unsupported(
-                f"LAMMPS has the command {owner.text}, pylmp's native engines do not", owner.span,
-                hint="--engine lammps runs this script on LAMMPS", manual=f"{owner.text}.html",
-            )  # fmt: skip
+        if is_elsewhere("command", owner.text):
+            raise self._with_others(unsupported("command", owner))
         near = COMMANDS.near(owner.text)
         raise ScriptError(
             f"Unknown command: {typed}", owner.span, manual="Commands_all.html",
             hint=f"did you mean {near}?" if near else "",
         )  # fmt: skip
-
-
-# Commands of LAMMPS that pylmp lacks: known, not misspelled.
-ELSEWHERE = frozenset(
-    {
-        "angle_write", "bond_write",
-        "dihedral_write", "dump2vtk",
-        "dynamical_matrix", "geturl", "group2ndx", "kim",
-        "mdi", "molecule", "neb",
-        "ndx2group", "pair_write", "plugin", "prd", "python",
-        "rerun", "tad", "temper",
-        "thermo_log", "third_order", "write_coeff",
-    }
-)  # fmt: skip
-
-
-def read_script(path: Path, span: Span | None = None) -> str:
-    """The text of a script. Raises ScriptError if there is no such file or it is not text."""
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise ScriptError(
-            f"Cannot open input script {path}: {error.strerror}",
-            span,
-            hint="the path is relative to the working directory",
-        ) from None
-    return decode(data, str(path))
-
-
-def complain(rejection: Rejection, args: Args) -> NoReturn:
-    """What the grammar alone can say about a line of the wrong shape."""
-    if rejection.at is None or rejection.at == 0:
-        args.missing(hint=f"here may stand: {' '.join(rejection.expected)}")
-    word = args.words[rejection.at - 1]
-    if "number" in rejection.expected:
-        args.as_number(word)
-    if "integer" in rejection.expected:
-        args.as_integer(word)
-    args.illegal(
-        word, hint=f"here may stand: {' '.join(rejection.expected)}" if rejection.expected else "nothing follows here"
-    )
-
-
-def inside(word: Word) -> Span | None:
-    """Where the text of a quoted word begins, its quotes left out."""
-    span = word.span
-    if span is None or not word.quoted:
-        return span
-    quotes = 3 if span.length - len(word.text) == 6 else 1
-    return Span(span.file, span.line, span.column + quotes, span.length)
 
 
 def run_text(sim: Simulation, text: str, name: str = "<script>") -> None:

@@ -5,13 +5,8 @@ from __future__ import annotations
 from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
-from pylmp.text.diagnostic import Unsupported
+from pylmp.model.unknown import is_elsewhere, unsupported
 from pylmp.text.words import Args
-
-_ELSEWHERE = (
-    "body", "bpm/sphere", "dielectric", "dipole", "dpd", "edpd", "electron", "ellipsoid", "hybrid",
-    "line", "mdpd", "peri", "rheo", "smd", "sph", "sphere", "spin", "tdpd", "template", "tri", "wavepacket",
-)  # fmt: skip
 
 
 @command("atom_style")
@@ -20,8 +15,8 @@ def atom_style(sim: Simulation, args: Args) -> None:
     word = args.word()
     if sim.has_box:
         args.fail("Atom_style command after simulation box is defined", args.owner, hint="atom_style comes before the box")
-    if word.text in _ELSEWHERE:
-        raise Unsupported(f"LAMMPS has atom_style {word.text}, pylmp's native engines do not", word.span, manual=args.manual)
+    if is_elsewhere("atom", word.text):
+        raise unsupported("atom", word)
     if word.text not in ATOM_STYLES:
         args.fail(f"Unrecognized atom style '{word.text}'", word, hint=" ".join(ATOM_STYLES))
     if len(args):

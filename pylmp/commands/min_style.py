@@ -5,10 +5,8 @@ from __future__ import annotations
 from pylmp.model.minimize import MinSettings
 from pylmp.model.registry import MINIMIZERS, command
 from pylmp.model.simulation import Simulation
-from pylmp.text.diagnostic import Unsupported
+from pylmp.model.unknown import is_elsewhere, unsupported
 from pylmp.text.words import Args
-
-_ELSEWHERE = ("fire/old", "hftn", "spin", "spin/cg", "spin/lbfgs")
 
 
 @command("min_style", needs_box=True)
@@ -17,10 +15,7 @@ def min_style(sim: Simulation, args: Args) -> None:
     args.need(1)
     word = args.word()
     if MINIMIZERS.find(word.text) is None:
-        if word.text in _ELSEWHERE:
-            raise Unsupported(
-                f"LAMMPS has min_style {word.text}, pylmp's native engines do not", word.span,
-                hint=" ".join(MINIMIZERS.names()), manual=args.manual,
-            )  # fmt: skip
+        if is_elsewhere("minimize", word.text):
+            raise unsupported("minimize", word)
         args.fail(f"Unknown minimize style {word.text}", word, hint=" ".join(MINIMIZERS.names()))
     sim.minimizing = MinSettings(style=word.text)

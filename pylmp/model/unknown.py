@@ -1,54 +1,92 @@
-"""What to say of a style name that is not known here."""
+"""Names that are not known here: what LAMMPS has and pylmp lacks is no misspelling.
+
+grammar/names.txt lists LAMMPS's names. What is missing here follows from it and from the registries: nobody keeps a list.
+"""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
+from functools import cache
 from typing import Any, NoReturn
 
-from pylmp.model.registry import Registry
+from pylmp.model.atom_style import ATOM_STYLES
+from pylmp.model.registry import (
+    ANGLES,
+    BONDS,
+    COMMANDS,
+    COMPUTES,
+    DIHEDRALS,
+    DUMPS,
+    FIXES,
+    IMPROPERS,
+    MINIMIZERS,
+    PAIRS,
+    REGIONS,
+    Registry,
+)  # fmt: skip
 from pylmp.text.diagnostic import Unsupported
+from pylmp.text.grammar import folder
 from pylmp.text.words import Args, Word
 
-# Styles of the LAMMPS manual that pylmp lacks: known, not misspelled.
-ELSEWHERE = {
-    "pair": "lj/cut/coul/cut lj/cut/coul/long lj/smooth lj/gromacs lj96/cut buck buck/coul/cut born coul/cut "
-    "coul/long coul/debye yukawa table hybrid/scaled eam eam/alloy eam/fs sw tersoff airebo rebo reaxff dpd "
-    "gran/hooke gran/hooke/history gran/hertz/history granular lubricate colloid gauss lj/class2 lj/cubic mie/cut python tri/lj zbl",
-    "bond": "angles bpm/rotational class2 fene/nm gaussian harmonic/restrain lepton mesocnt mm3 oxdna/fene rheo/shell special table",
-    "angle": "amoeba charmm class2 class2/p6 cosine cosine/buck6d cosine/delta cosine/periodic cosine/shift cosine/shift/exp "
-    "cosine/squared cosine/squared/restricted cross dipole fourier fourier/simple gaussian harmonic hybrid lepton mesocnt mm3 "
-    "mwlc quartic spica table",
-    "dihedral": "charmm charmmfsw class2 cosine/shift/exp cosine/squared/restricted fourier harmonic helix hybrid lepton "
-    "multi/harmonic nharmonic opls quadratic spherical table table/cut",
-    "improper": "amoeba class2 cossq cvff distance distharm fourier harmonic hybrid inversion/harmonic ring sqdistharm umbrella",
-    "fix": "adapt addtorque append/atoms ave/atom ave/chunk ave/correlate ave/histo balance bond/break bond/create "
-    "bond/react bond/swap box/relax controller deposit drag dt/reset efield evaporate external flow/gauss freeze gcmc gravity "
-    "heat langevin/drude lineforce msst neb nph npt nve/noforce nve/sphere nvk nvt/sllod orient/fcc "
-    "oneway planeforce poems pour press/berendsen property/atom python/invoke qeq/point rattle restrain rigid "
-    "rigid/small rigid/nve rigid/nvt setforce/spin shake shardlow spring/chunk spring/rg srd store/force "
-    "temp/csld temp/csvr thermal/conductivity tfmc ttm vector viscosity wall/gran "
-    "wall/srd widom",
-    "compute": "angle angle/local angmom/chunk basal/atom body/local bond centro/atom cluster/atom "
-    "cna/atom contact/atom dihedral dihedral/local dilatation/atom dipole erotate/sphere "
-    "event/displace fragment/atom heat/flux hexorder/atom improper/local inertia/chunk  "
-    "msd/nongauss nbond orientorder/atom pressure/cylinder   "
-    "slice stress/mop temp/asphere temp/chunk temp/deform temp/profile "
-    "temp/ramp temp/rotate temp/sphere torque/chunk voronoi/atom xrd",
-    "dump": "dcd grid grid/vtk h5md molfile netcdf netcdf/mpiio vtk xtc",
+_SUFFIX = re.compile(r"/(omp|opt|kk|gpu|intel)$")
+_REGISTRIES: dict[str, Registry[Any]] = {
+    "pair": PAIRS, "bond": BONDS, "angle": ANGLES, "dihedral": DIHEDRALS, "improper": IMPROPERS, "fix": FIXES, "compute": COMPUTES,
+    "dump": DUMPS, "region": REGIONS, "command": COMMANDS, "minimize": MINIMIZERS,
+}  # fmt: skip
+_WORDS = {"hybrid", "hybrid/overlay", "none"}  # styles that their command makes itself
+# Where a command names a style: what kind, which word.
+STYLED = {
+    "pair_style": ("pair", 1), "bond_style": ("bond", 1), "angle_style": ("angle", 1), "dihedral_style": ("dihedral", 1),
+    "improper_style": ("improper", 1), "kspace_style": ("kspace", 1), "atom_style": ("atom", 1), "min_style": ("minimize", 1),
+    "run_style": ("integrate", 1), "fix": ("fix", 3), "compute": ("compute", 3), "dump": ("dump", 3), "write_dump": ("dump", 2),
+    "region": ("region", 2),
 }  # fmt: skip
 
 
+@cache
+def _names() -> dict[str, frozenset[str]]:
+    """kind -> the names of LAMMPS's styles of that kind, or of its commands."""
+    parts = re.split(r"^(\w+):$", (folder() / "names.txt").read_text(), flags=re.MULTILINE)
+    return {kind: frozenset(names.split()) for kind, names in zip(parts[1::2], parts[2::2], strict=True)}
+
+
+def _here(kind: str, name: str) -> bool:
+    others: dict[str, Callable[[str], bool]] = {
+        "kspace": lambda name: name == "none", "integrate": lambda name: name == "verlet", "atom": lambda name: name in ATOM_STYLES,
+    }  # fmt: skip
+    if kind in others:
+        return others[kind](name)
+    return _REGISTRIES[kind].find(name) is not None or (name in _WORDS and kind in ("pair", "bond", "angle", "dihedral", "improper"))
+
+
 def is_elsewhere(kind: str, name: str) -> bool:
-    """LAMMPS has a style of that name."""
-    return name.removesuffix("/omp").removesuffix("/opt") in ELSEWHERE.get(kind, "").split()
+    """LAMMPS has a style (or a command) of that name, pylmp does not."""
+    return _SUFFIX.sub("", name) in _names()[kind] and not _here(kind, name)
+
+
+def lacking(kind: str, name: str) -> str:
+    """What LAMMPS has, in words: fix rigid, pair_style eam, the command temper."""
+    if kind == "command":
+        return f"the command {name}"
+    owner = {"minimize": "min_style", "integrate": "run_style"}.get(kind, kind if kind in ("fix", "compute", "dump", "region") else f"{kind}_style")
+    return f"{owner} {name}"
+
+
+def unsupported(kind: str, word: Word, name: str = "") -> Unsupported:
+    """The error for a name that only LAMMPS has."""
+    name = name or word.text
+    page = name if kind == "command" else f"{kind}_style" if kind in ("kspace", "atom") else f"{kind}_{name.replace('/', '_')}"
+    return Unsupported(
+        f"LAMMPS has {lacking(kind, name)}, pylmp's native engines do not", word.span,
+        hint="--engine lammps runs this script on LAMMPS", manual=f"{page}.html",
+    )  # fmt: skip
 
 
 def unknown_style(args: Args, name: Word, kind: str, registry: Registry[Any]) -> NoReturn:
     """LAMMPS's sentence with a guess at what was meant; or that only LAMMPS has it."""
     if is_elsewhere(kind, name.text):
-        raise Unsupported(
-            f"LAMMPS has {kind} style {name.text}, pylmp's native engines do not", name.span,
-            hint="--engine lammps runs this script on LAMMPS", manual=f"{kind}_{name.text.replace('/', '_')}.html",
-        )  # fmt: skip
+        raise unsupported(kind, name)
     near = registry.near(name.text)
     hint = f"did you mean {near}?" if near else f"known: {' '.join(registry.names())}"
     args.fail(f"Unrecognized {kind} style '{name.text}'", name, hint=hint)

@@ -6,13 +6,14 @@ Every complaint of the project is a `Diagnostic`. Code that finds something wron
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Self
 
 from pylmp.text.span import Span
 
 MANUAL = "https://docs.lammps.org/"
+_WIDE = 240  # characters of a line shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +26,7 @@ class Diagnostic:
     code      the rule: "E..." errors, "D..." departures from LAMMPS, "B..." restrictions of a bond style
     manual    page under docs.lammps.org, e.g. "bond_quartic.html"
     severity  "error", "warning" or "note"
+    also      further places with the same trouble, and what stands there
     formula   the formula it is about, the offset and length of what is wrong in it
     """
 
@@ -35,6 +37,7 @@ class Diagnostic:
     manual: str = ""
     severity: str = "error"
     formula: tuple[str, int, int] | None = None
+    also: tuple[tuple[Span, str], ...] = ()
 
 
 class ScriptError(Exception):
@@ -50,6 +53,11 @@ class ScriptError(Exception):
         """This error, placed at span unless it has a place already."""
         if self.diagnostic.span is None:
             self.diagnostic = replace(self.diagnostic, span=span)
+        return self
+
+    def along(self, others: Iterable[tuple[Span, str]]) -> Self:
+        """This error, with further places that have the same trouble."""
+        self.diagnostic = replace(self.diagnostic, also=tuple(others))
         return self
 
     def inside(self, formula: str, at: int, length: int) -> Self:
@@ -75,14 +83,22 @@ def render(diagnostic: Diagnostic, source: Callable[[Span], str] | None = None) 
         lines.append(f"  --> {span}" + (f"  [{diagnostic.code}]" if diagnostic.code else ""))
         text = source(span) if source else ""
         if text:
-            text = text.rstrip("\n")
-            before = "".join("\t" if c == "\t" else " " for c in text[: span.column - 1])
-            lines += [f"   | {text}", f"   | {before}{'^' * max(1, span.length)}"]
+            lines += _shown(text.rstrip("\n"), span.column - 1, span.length)
     if diagnostic.formula is not None:
         formula, at, length = diagnostic.formula
-        lines += [f"  --> column {at + 1} of the formula", f"   | {formula}", f"   | {' ' * at}{'^' * max(1, length)}"]
+        lines += [f"  --> column {at + 1} of the formula", *_shown(formula, at, length)]
+    lines += [f"  --> {place}  {what}: the same" for place, what in diagnostic.also]
     if diagnostic.hint:
         lines.append(f"  hint: {diagnostic.hint}")
     if diagnostic.manual:
         lines.append(f"  manual: {MANUAL}{diagnostic.manual}")
     return "\n".join(lines)
+
+
+def _shown(text: str, at: int, length: int) -> list[str]:
+    """A line, or the part of a long one around a place, and carets below the place."""
+    if len(text) > _WIDE:
+        first = max(0, at - _WIDE // 4)
+        text, at = text[first : first + _WIDE], at - first
+    before = "".join("\t" if c == "\t" else " " for c in text[:at])
+    return [f"   | {text}", f"   | {before}{'^' * max(1, min(length, _WIDE))}"]

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.span import Span
 
+LONGEST = 1_000_000  # characters of a logical line
 _BLANK = " \t\n\v\f\r"
 # What LAMMPS puts in place of typographic characters; one for one, so columns stay.
 _ASCII = str.maketrans(
@@ -80,6 +81,8 @@ def logical_lines(source: str, file: str) -> list[Text]:
         starts.append(len(text))
         places.append(Place(row, 1))
         text = (text + physical).rstrip(_BLANK)
+        if len(text) > LONGEST:
+            check_length(len(text), Span(file, row, 1))
         if text.endswith("&"):
             text, open_line = text[:-1], True
             continue
@@ -93,6 +96,12 @@ def logical_lines(source: str, file: str) -> list[Text]:
             text += "&"  # nothing to join: the sign is a word
         lines.append(Text(file, text, tuple(starts), tuple(places)))
     return lines
+
+
+def check_length(length: int, span: Span | None) -> None:
+    """Raise ScriptError for a line that is too long."""
+    if length > LONGEST:
+        raise ScriptError(f"A line is longer than {LONGEST} characters", span, hint="several lines, or a file", code="S105")
 
 
 def as_ascii(text: Text) -> Text:

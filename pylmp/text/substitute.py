@@ -11,7 +11,7 @@ from lark import Token, UnexpectedInput
 
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.grammar import line_table
-from pylmp.text.lines import Place, Text
+from pylmp.text.lines import Place, Text, check_length
 from pylmp.text.span import Span
 from pylmp.text.words import Word
 
@@ -73,6 +73,7 @@ def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = 
             starts.append(len(out))
             places.append(Place(span.line, span.column, span.length))
             out += value
+            check_length(len(out), span)
             if echo:
                 echo(out + line.text[piece.stop : end])
         else:
@@ -107,6 +108,7 @@ def substitute_word(text: str, lookup: Lookup, placed: Callable[[], Text]) -> st
                 out.append(lookup(key, kind == "immediate"))
             except ScriptError as error:
                 raise error.at(placed().span(start, stop)) from None
+    check_length(sum(map(len, out)), None)
     return "".join(out)
 
 

@@ -116,7 +116,7 @@ def test_exit_codes(tmp_path: Path) -> None:
     script(tmp_path, "kspace_style ewald 1e-4\n")
     unsupported = pylmp(tmp_path, "in.script")
     assert unsupported.returncode == 5
-    assert "LAMMPS has kspace style ewald" in unsupported.stdout
+    assert "LAMMPS has kspace_style ewald" in unsupported.stdout
     assert pylmp(tmp_path, "--help").returncode == 0
     assert pylmp(tmp_path, "--version").stdout.startswith("pylmp ")
 

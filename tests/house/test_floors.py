@@ -14,7 +14,7 @@ FLOORS = {
     "model": 1,
     "commands": 2, "bonds": 2, "pairs": 2, "fixes": 2, "minimizers": 2, "computes": 2, "dumps": 2, "regions": 2, "thermo": 2, "io": 2,
     "angles": 2, "dihedrals": 2, "impropers": 2,
-    "interpreter": 3, "references": 3,
+    "interpreter": 3, "references": 3, "survey": 3, "script": 3,
     "engines": 4,
     "tools": 5,
     "cli": 6, "__main__": 6, "__init__": 6,
