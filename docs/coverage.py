@@ -9,7 +9,6 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from pylmp.interpreter import ELSEWHERE as COMMANDS_ELSEWHERE
 from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.model.registry import (
     ANGLES,
@@ -26,7 +25,7 @@ from pylmp.model.registry import (
     THERMOS,
     Registry,
 )  # fmt: skip
-from pylmp.model.unknown import ELSEWHERE
+from pylmp.model.unknown import only_lammps
 from pylmp.text.diagnostic import MANUAL
 from pylmp.text.variable_styles import READERS as VARIABLE_STYLES
 
@@ -102,16 +101,15 @@ def coverage() -> str:
     """The text of docs/coverage.md."""
     decks = Decks()
     rows = [(name, MANUAL + command.manual) for name, command in COMMANDS]
-    lines = table(decks, "Commands", "command", rows, sorted(COMMANDS_ELSEWHERE))
+    lines = table(decks, "Commands", "command", rows, only_lammps("command"))
     for title, kind, registry in KINDS:
         rows = []
         for name, value in registry:
             page = PAGES.get(kind) or getattr(value, "manual", "") or f"{kind}_{name.replace('/', '_')}.html"
             rows.append((name, MANUAL + page))
-        lacking = sorted(set(ELSEWHERE.get(kind, "").split()) - {name for name, _ in rows})
-        lines += table(decks, title, kind, rows, lacking)
+        lines += table(decks, title, kind, rows, only_lammps(kind))
     rows = [(name, f"{MANUAL}atom_style.html") for name in ATOM_STYLES]
-    lines += table(decks, "Atom styles", "atom", rows, [])
+    lines += table(decks, "Atom styles", "atom", rows, only_lammps("atom"))
     rows = [(name, f"{MANUAL}variable.html") for name in VARIABLE_STYLES if name != "python"]
     lines += table(decks, "Variable styles", "variable", rows, ["python"])
     return HEAD + "\n".join(lines) + "\n"

@@ -65,6 +65,11 @@ def is_elsewhere(kind: str, name: str) -> bool:
     return _SUFFIX.sub("", name) in _names()[kind] and not _here(kind, name)
 
 
+def only_lammps(kind: str) -> list[str]:
+    """The styles of a kind (or the commands) that LAMMPS has and pylmp does not."""
+    return sorted(name for name in _names().get(kind, ()) if not _here(kind, name))
+
+
 def lacking(kind: str, name: str) -> str:
     """What LAMMPS has, in words: fix rigid, pair_style eam, the command temper."""
     if kind == "command":
