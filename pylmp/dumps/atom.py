@@ -20,6 +20,7 @@ from pylmp.text.words import Args, Word
 @DUMPS.register("atom", "atom/gz")
 class DumpAtom(Dump):
     style = "atom"
+    verbatim = True
 
     def read(self, sim: Simulation, args: Args) -> None:
         if len(args):

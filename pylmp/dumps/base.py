@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -30,6 +31,7 @@ class Dump:
 
     style: ClassVar[str] = ""
     layout: ClassVar[Layout] = Layout("", " ", "\n")
+    verbatim: ClassVar[bool] = False  # the line of dump_modify format is printed blank by blank
 
     def __init__(
         self, sim: Simulation, identity: str, group: str, bit: int, every: int, path: Word, args: Args
@@ -101,7 +103,7 @@ class Dump:
         keys = self.keys or self.fields
         if isinstance(self.sort, int) and abs(self.sort) > len(keys):
             raise ScriptError(f"Dump sort column index {abs(self.sort)} is invalid", hint=f"1 to {len(keys)}")
-        if self.for_line and len(self.for_line) < len(self.fields):
+        if self.for_line and len(self.for_line) < len(self.fields) and not self.verbatim:
             line = " ".join(f.text for f in self.for_line)
             raise ScriptError(f"Dump_modify format line is too short: {line}", hint=f"{len(self.fields)} columns")
         self.schedule.check(sim)
@@ -176,7 +178,10 @@ class Dump:
             chosen = None
         if chosen is not None:
             columns = [column[chosen] for column in columns]
-        body = text(columns, self.cell_formats(), self.layout)
+        layout = self.layout
+        if self.verbatim and self.for_line:
+            columns, layout = columns[: len(self.for_line)], replace(layout, between="")
+        body = text(columns, self.cell_formats(), layout)
         return (self.head(sim, len(rows)) if self.header else "") + body + self.footer
 
     def cell_formats(self) -> list[Format]:

@@ -64,6 +64,8 @@ def text(columns: Sequence[Any], formats: Sequence[Format], layout: Layout) -> s
 
 def user_formats(dump: Dump) -> list[Format]:
     """Per column: the user's for it, for its kind, for the whole line, else the usual one."""
+    if dump.verbatim and dump.for_line:
+        return dump.for_line[: len(dump.fields)]
     result = []
     for k, field in enumerate(dump.fields):
         kind = {"d": dump.for_whole, "g": dump.for_real}.get(field.usual.text[-1])

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from pylmp.model.quantity import Quantity
-from pylmp.text.printf import Format
+from pylmp.text.printf import Format, pieces
 from pylmp.text.words import Args, Word
 
 if TYPE_CHECKING:
@@ -141,7 +141,8 @@ def _format(dump: Dump, args: Args) -> None:
     if what.text != "line":
         dump.format_kind(args, what)
     if what.text == "line":
-        dump.for_line = [read_format(args, value, part) for part in value.text.split()]
+        parts = pieces(value.text) if dump.verbatim else value.text.split()
+        dump.for_line = [read_format(args, value, part) for part in parts]
     elif what.text == "int":
         if "d" not in value.text:
             args.fail("Dump_modify int format does not contain d character", value, hint='for example "%8d"')

@@ -21,6 +21,7 @@ from pylmp.text.words import Args, Word
 @DUMPS.register("xyz", "xyz/gz")
 class DumpXYZ(Dump):
     style = "xyz"
+    verbatim = True
 
     def read(self, sim: Simulation, args: Args) -> None:
         if len(args):

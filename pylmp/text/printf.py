@@ -47,3 +47,12 @@ class Format:
         if math.isnan(value) and math.copysign(1.0, value) < 0.0:
             return text.replace("nan", "-nan").replace("NAN", "-NAN")
         return text
+
+
+def pieces(text: str) -> list[str]:
+    """text cut behind each conversion; what follows the last belongs to it."""
+    ends = [found.end() for found in _CONVERSION.finditer(text) if found[0] != "%%"]
+    if not ends:
+        return [text]
+    starts = [0, *ends[:-1]]
+    return [text[start:end] for start, end in zip(starts, [*ends[:-1], len(text)], strict=True)]
