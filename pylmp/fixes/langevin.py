@@ -131,6 +131,8 @@ class Langevin(Thermostat):
         self._coefficients(sim)
 
     def reset_dt(self, sim: Simulation) -> None:
+        if self._function is None:  # not yet in a run
+            return
         if self.gjf is not None:
             self.gjf.init(sim)
         self._coefficients(sim)
