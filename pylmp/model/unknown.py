@@ -62,7 +62,8 @@ def _here(kind: str, name: str) -> bool:
 
 def is_elsewhere(kind: str, name: str) -> bool:
     """LAMMPS has a style (or a command) of that name, pylmp does not."""
-    return _SUFFIX.sub("", name) in _names()[kind] and not _here(kind, name)
+    plain = _SUFFIX.sub("", name)  # the list leaves out accelerated variants; which of them exist of a style known here is not known
+    return plain in _names()[kind] and not _here(kind, plain)
 
 
 def only_lammps(kind: str) -> list[str]:

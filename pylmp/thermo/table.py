@@ -116,12 +116,13 @@ class Thermo:
         return self.sim.units.norm if self.norm is None else self.norm
 
     def redirect(self, before: str, after: str, kinds: Sequence[str]) -> None:
-        """As in LAMMPS a column ``c_before`` shows the compute that takes before's place in thermo keywords, if a keyword reads the same
-        values of it.
+        """As in LAMMPS a column of thermo_temp or thermo_press shows the compute that takes its place in thermo keywords, if a keyword
+        reads the same values of it.
         """
         for k, entry in enumerate(self.chosen):
             found = entry.reference
-            if found is not None and (found.kind, found.name) == ("c", before):
+            own = entry.name.split("[")[0] in ("c_thermo_temp", "c_thermo_press")
+            if own and found is not None and (found.kind, found.name) == ("c", before):
                 values, at = ("scalar", "vector", "array")[len(found.index)], tuple(n - 1 for n in found.index)
                 if values in kinds:
                     other = replace(found, name=after)

@@ -49,7 +49,8 @@ def test_identical(deck: Path, tmp_path: Path) -> None:
     compared = {part["name"]: part["cells"] for part in report["parts"]}
     assert compared["thermo"] > 0
     assert compared["file pylmp-diff.atoms"] > 0
-    assert compared["file pylmp-diff.bonds"] > 0
+    if "bond_style" in deck.read_text():
+        assert compared["file pylmp-diff.bonds"] > 0
 
 
 @pytest.mark.parametrize("deck", DECKS, ids=[d.name for d in DECKS])
