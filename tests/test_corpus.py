@@ -22,10 +22,15 @@ def test_the_corpus_is_not_small() -> None:
 
 @pytest.mark.parametrize("case", CASES, ids=NAMES)
 def test_lammps_says_so_too(case: Case, tmp_path) -> None:
-    outcome = lammps(case.script, tmp_path, "-log", "none")
-    (said,) = re.findall(r"^ERROR(?: on proc 0)?: (.*)$", outcome.screen, re.M)[:1]
+    """Some errors LAMMPS finds by reading memory that it never wrote: where it stays silent it is asked again, up to twice."""
+    for _ in range(3):
+        outcome = lammps(case.script, tmp_path, "-log", "none")
+        said = re.findall(r"^ERROR(?: on proc 0)?: (.*)$", outcome.screen, re.M)
+        if said:
+            break
+    assert said
     assert outcome.code == 1
-    assert said.startswith(case.sentence)
+    assert said[0].startswith(case.sentence)
 
 
 def test_pylmp_names_sentence_and_place(tmp_path) -> None:
