@@ -9,7 +9,6 @@ import numpy as np
 
 from pylmp.model.atoms import Floats, Ints
 from pylmp.model.chunks import OfChunks, per_mass, sums
-from pylmp.model.motion import unwrapped
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args
@@ -27,23 +26,21 @@ class GyrationOfChunks(OfChunks):
         self.columns = 6 if tensor else 0
         setattr(self, "vector" if tensor else "array", None)
 
-    def _arms(self, sim: Simulation) -> tuple[Floats, Floats, Ints, Floats, int]:
+    def _weighed(self, sim: Simulation) -> tuple[Floats, Floats, Ints, Floats, int]:
         """(k, 3) positions relative to the centers, (k,) masses, (k,) chunks, (chunks,) masses."""
-        rows, ids, count = self.chunked(sim)
-        m, x = sim.masses()[rows], unwrapped(sim, rows)
-        masses = sums(ids, m, count)
-        centers = per_mass(sums(ids, x * m[:, None], count), masses)
-        return x - centers[ids], m, ids, masses, count
+        d, rows, ids, count = self.arms(sim)
+        m = sim.masses()[rows]
+        return d, m, ids, sums(ids, m, count), count
 
     def vector(self, sim: Simulation) -> Floats:
         """(chunks,)"""
-        d, m, ids, masses, count = self._arms(sim)
+        d, m, ids, masses, count = self._weighed(sim)
         x, y, z = d.T
         return np.sqrt(per_mass(sums(ids, (x * x + y * y + z * z) * m, count), masses))
 
     def array(self, sim: Simulation) -> Floats:
         """(chunks, 6)"""
-        d, m, ids, masses, count = self._arms(sim)
+        d, m, ids, masses, count = self._weighed(sim)
         x, y, z = d.T
         terms = np.stack([x * x * m, y * y * m, z * z * m, x * y * m, x * z * m, y * z * m], axis=1)
         return per_mass(sums(ids, terms, count), masses)

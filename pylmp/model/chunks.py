@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from pylmp.model.atoms import Floats, Ints
 from pylmp.model.compute import Compute
+from pylmp.model.motion import unwrapped
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args, Word
 
@@ -65,6 +66,13 @@ class OfChunks(Compute):
         ids, count = self.find(sim).assign(sim)
         rows = self.members(sim) & (ids > 0)
         return rows, ids[rows] - 1, count
+
+    def arms(self, sim: Simulation) -> tuple[Floats, NDArray[np.bool_], Ints, int]:
+        """(k, 3) unwrapped positions relative to the chunks' centers of mass, then what chunked gives."""
+        rows, ids, count = self.chunked(sim)
+        m, x = sim.masses()[rows], unwrapped(sim, rows)
+        centers = per_mass(sums(ids, x * m[:, None], count), sums(ids, m, count))
+        return x - centers[ids], rows, ids, count
 
 
 def sums(ids: Ints, values: Floats, count: int) -> Floats:
