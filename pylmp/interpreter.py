@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from pathlib import Path
 from typing import NoReturn
 
@@ -46,6 +46,7 @@ class Interpreter:
         self.scope = Scope(sim, self.variables)
         self._stack: list[Script] = []
         self._sources: dict[str, list[str]] = {}
+        self._line = plain("")  # being carried out
         self._skip_jump = False
         self._warned = self._surveyed = False
 
@@ -114,6 +115,7 @@ class Interpreter:
     def execute_line(self, line: Text) -> None:
         """Echo, substitute, split, check the shape, carry out."""
         self._echo(line.text)
+        self._line = line
         ready = ready_line(line)
         if ready is None:
             text = line if line.text.isascii() else self._as_ascii(line)
@@ -121,9 +123,12 @@ class Interpreter:
         if ready.words:
             self._carry_out(ready, line.text)
 
-    def execute_words(self, words: Sequence[Word]) -> None:
-        """Execute one command given as words, variables replaced."""
-        self._carry_out(prepare(list(words)), " ".join(word.text for word in words))
+    def execute_rest(self, word: Word) -> None:
+        """Execute the line in progress from where a word's text first stands in it: as LAMMPS does it for partition."""
+        start = self._line.text.find(word.text)
+        if start < 1:  # LAMMPS dies of these
+            raise ScriptError(f"No command starts with {word.text} on this line", word.span, hint="the command as plain words", code="S106")
+        self.execute_line(self._line.tail(start))
 
     def _carry_out(self, ready: Ready, typed: str) -> None:
         owner, command = ready.words[0], ready.command

@@ -17,4 +17,4 @@ def partition(sim: Simulation, args: Args) -> None:
     if words[0].text == "partition":
         args.illegal(words[0])
     if inside == wanted:
-        sim.script.execute_words(words)
+        sim.script.execute_rest(words[0])

@@ -49,6 +49,13 @@ class Text:
         end += last.width if last.width is not None else 1
         return Span(self.file, first.row, begin, max(1, end - begin))
 
+    def tail(self, start: int) -> Text:
+        """What follows from an offset on."""
+        place, column = self._at(start)
+        later = [(at - start, one) for at, one in zip(self.starts, self.places, strict=True) if at > start]
+        starts, places = (0, *(at for at, _ in later)), (Place(place.row, column, place.width), *(one for _, one in later))
+        return Text(self.file, self.text[start:], starts, places)
+
     def _at(self, offset: int) -> tuple[Place, int]:
         k = max(0, bisect_right(self.starts, offset) - 1)
         place = self.places[k]

@@ -59,6 +59,11 @@ class Variable:
     step: int = -1
     elements: Any = None
 
+    @property
+    def size(self) -> int:
+        """How many values a universe or uloop variable has."""
+        return len(self.values) or self.last
+
     def text(self) -> str:
         """The current value of the styles that are no formula."""
         if self.style in ("loop", "uloop"):

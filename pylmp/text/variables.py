@@ -58,6 +58,14 @@ class Variables:
         if before is not None and before.style != new.style:
             text = f"Cannot redefine variable {name.text} with a different style"
             args.fail(text, style, hint=f"variable {name.text} delete first")
+        if new.style == "format":
+            self._source(name.text, new)
+        elif new.style == "vector" and new.values[0].startswith("["):
+            _literal(new.values[0])
+        elif ADVANCING.get(new.style) == "universe":
+            sizes = {one.size for one in self.known.values() if ADVANCING.get(one.style) == "universe"}
+            if sizes - {new.size}:
+                args.fail("All universe/uloop variables must have same # of values", name)
         self.known[name.text] = new
 
     def set_index(self, name: str, values: list[str]) -> None:
@@ -92,12 +100,11 @@ class Variables:
         if len(styles) > 1:
             args.fail("All variables in next command must have same style", words[0])
         used_up = False
-        names = list(dict.fromkeys(word.text for word in words))
         if styles == {"universe"}:
-            world.say(f"Increment via next: value {self.known[names[0]].at + 2} on partition 0\n")
-        for name in names:
-            if not self.known[name].advance():
-                self.forget(name)
+            world.say(f"Increment via next: value {self.known[words[0].text].at + 2} on partition 0\n")
+        for word in words:
+            if word.text in self.known and not self.known[word.text].advance():
+                self.forget(word.text)
                 used_up = True
         return used_up
 
@@ -121,13 +128,17 @@ class Variables:
         return variable.told
 
     def _formatted(self, name: str, variable: Variable, scope: Scope) -> str:
-        other, form = variable.values
+        return Format(variable.values[1])(self.value(self._source(name, variable), scope))
+
+    def _source(self, name: str, variable: Variable) -> str:
+        """The variable that a format-style one shows."""
+        other = variable.values[0]
         source = self.known.get(other)
         if source is None:
             raise ScriptError(f"Variable {name}: format variable {other} does not exist")
         if source.style not in ("equal", "timer", "internal"):
             raise ScriptError(f"Variable {name}: format variable {other} has incompatible style")
-        return Format(form)(self.value(other, scope))
+        return other
 
     def number(self, name: str, scope: Scope) -> float:
         """What ``v_name`` is worth in a formula: LAMMPS hands variables on as text of 15 digits. Raises ScriptError."""

@@ -29,7 +29,7 @@ def said(text: str) -> list[str]:
 
 
 def differences(scripts: Sequence[str], folder: Path) -> list[str]:
-    """One text for each script of which the screens or the logs differ."""
+    """One text for each script of which the screens, the logs or the outcomes (0 done, 1 refused) differ."""
     for number, script in enumerate(scripts):
         for program in ("lammps", "pylmp"):
             home = folder / program / f"{number:05d}"
@@ -44,7 +44,7 @@ def differences(scripts: Sequence[str], folder: Path) -> list[str]:
         assert done.returncode == 0, done.stdout[-1000:] + done.stderr[-2000:]
     wrong = []
     for number, script in enumerate(scripts):
-        for what in ("screen", "log"):
+        for what in ("screen", "log", "code"):
             theirs, ours = (
                 said((folder / program / f"{number:05d}" / what).read_text(errors="replace"))
                 for program in ("lammps", "pylmp")
@@ -69,9 +69,13 @@ def _run_lammps(folders: list[Path]) -> None:
     for folder in folders:
         os.chdir(folder)
         instance = lammps.lammps(cmdargs=["-log", "log", "-screen", "screen", "-nocite"])
-        with contextlib.suppress(Exception):  # what it says is in the log
+        code = 0
+        try:
             instance.file("in.case")
+        except Exception:  # what it says is in the log
+            code = 1
         instance.close()
+        (folder / "code").write_text(str(code))
 
 
 def _run_pylmp(folders: list[Path]) -> None:

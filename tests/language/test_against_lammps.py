@@ -10,7 +10,14 @@ import pytest
 from tests.language.both import differences
 
 CORPUS = Path(__file__).parents[1] / "corpus"
-CASES = [case.lstrip("\n") for case in (CORPUS / "language.cases").read_text().split("\n==\n")[1:]]
+
+
+def _cases(name: str) -> list[str]:
+    return [case.strip("\n") + "\n" for case in (CORPUS / name).read_text().split("\n==\n")[1:]]
+
+
+CASES = _cases("language.cases")
+WITH_ATOMS = _cases("language_atoms.cases")
 FORMULAS = (CORPUS / "formulas.txt").read_text().splitlines()
 VARIABLES = (
     "variable a equal 3\nvariable b string 4.5\nvariable c string foo\nvariable d index 7 8\nvariable l loop 2 5\n"
@@ -55,8 +62,13 @@ def _report(wrong: list[str], count: int) -> None:
 
 
 def test_the_language_prints_what_lammps_prints(tmp_path: Path) -> None:
-    assert len(CASES) > 150
-    _report(differences([case + "\n" for case in CASES], tmp_path), len(CASES))
+    assert len(set(CASES)) == len(CASES) >= 250
+    _report(differences(CASES, tmp_path), len(CASES))
+
+
+def test_the_language_after_a_run(tmp_path: Path) -> None:
+    scripts = [BOX + case for case in WITH_ATOMS]
+    _report(differences(scripts, tmp_path), len(scripts))
 
 
 @pytest.mark.parametrize(
