@@ -173,13 +173,15 @@ def _draws(sim: Simulation, args: Args, options: Options, seed: int, chosen: Cho
             result[i] = [draw() for _ in range(3)]
     else:
         tags = atoms.tag[:n]
-        if int(tags.max()) != sim.natoms or len(np.unique(tags)) != n:
+        if int(tags.max()) != sim.natoms or int(tags.min()) != 1:
             args.fail(
                 "Atom IDs must be consecutive for velocity create loop all", args.owner, hint="loop geom or loop local"
             )
         rows = atoms.rows_by_tag()
-        for tag in range(1, n + 1):
-            result[rows[tag]] = [draw() for _ in range(3)]
+        for tag in range(1, sim.natoms + 1):
+            drawn = [draw() for _ in range(3)]
+            if rows[tag] >= 0:  # else the atom was lost
+                result[rows[tag]] = drawn
     return result
 
 

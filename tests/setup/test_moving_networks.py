@@ -1,0 +1,69 @@
+"""Random bonded networks that break in boxes that are tilted, follow their atoms, or change: LAMMPS and pylmp agree to the last bit."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+from tests.setup.both import difference
+from tests.setup.test_moving_boxes import deform
+
+SCRIPTS = 5  # a seed
+
+
+def script(seed: int) -> str:
+    r = random.Random(seed)
+    plastic = r.random() < 0.5
+    flat = r.random() < 0.2
+    newton = r.choice(["on off", "off off"] if plastic else ["on on", "on off", "off on", "off off"])
+    letters = [r.choice(["p", "p", "p", "s", "m"]) for _ in range(3)]
+    if flat:
+        letters[2] = "p"
+    cells = [r.randint(3, 5), r.randint(3, 5), 1 if flat else r.randint(2, 4)]
+    sides = f"0 {cells[0]} 0 {cells[1]} " + ("-0.5 0.5" if flat else f"0 {cells[2]}")
+    tilts = [round(r.uniform(-1.5, 1.5), 2) * (not flat or k == 0) for k in range(3)]
+    lattice = "sq 1.0" if flat else "sc 1.0"
+    lines = [
+        "units lj", *(["dimension 2"] if flat else []), f"boundary {' '.join(letters)}", "atom_style bond", f"newton {newton}",
+        "comm_modify vel yes cutoff 3.2", "special_bonds lj 0 1 1 coul 0 1 1", f"lattice {lattice}",
+        f"region cell prism {sides} {' '.join(map(str, tilts))}",
+        "create_box 2 cell bond/types 2 extra/bond/per/atom 14 extra/special/per/atom 60", "create_atoms 1 box",
+        f"set group all type/fraction 2 0.4 {r.randint(1, 99)}", "mass 1 1.0", "mass 2 1.6", "group two type 2", "group some id < 12",
+        f"displace_atoms all random 0.05 0.05 {0.0 if flat else 0.05} {r.randint(1, 999)}",
+    ]  # fmt: skip
+    if plastic:
+        lines += ["pair_style bpm/spring", "pair_coeff * * 40 1.0 0.8", "pair_coeff 1 2 50 1.05 0.5"]
+    else:
+        lines += ["pair_style lj/cut 1.3", "pair_modify shift yes", "pair_coeff * * 1.0 0.95"]
+    lines += ["create_bonds many two two 2 0.8 1.25", "create_bonds many all all 1 0.8 1.25"]
+    if plastic:
+        words = r.choice(["", " smooth no", " normalize yes", " store/local gone 20 time id1 id2"])
+        lines += ["special_bonds lj 0 1 1 coul 1 1 1", f"bond_style bpm/spring/plastic{words}", "bond_coeff 1 80 0.12 0.5 0.02", "bond_coeff 2 60 0.1 0.3 0.03"]
+    else:
+        lines += ["special_bonds lj/coul 1 1 1", "bond_style quartic", "bond_coeff 1 1200 -0.55 0.25 1.35 34.6878", "bond_coeff 2 900 -0.55 0.25 1.3 30.0"]
+    lines += [
+        f"velocity all create {r.choice([0.3, 1.0]) if plastic else r.choice([2.0, 8.0])} {r.randint(1, 999)}",
+        f"velocity all set {r.uniform(-2, 2)!r} {r.uniform(-2, 2)!r} 0 sum yes", "fix 1 all nve", *(["fix 4 all enforce2d"] if flat else []),
+        f"timestep {0.004 if plastic else 0.002}", f"neigh_modify {r.choice(['every 1 delay 0', 'every 2 delay 4', 'every 5 check no'])}",
+        f"atom_modify sort {r.choice([0, 25, 1000])} 0.0", "variable grow equal 0.03*elapsed*dt", "variable pace equal 0.03", "thermo 25",
+        "thermo_style custom step temp ebond pe press pxx pxy pyz bonds xlo xhi ylo yhi zlo zhi xy xz yz nbuild ndanger",
+        "thermo_modify lost warn lost/bond ignore format float %.17g",
+    ]  # fmt: skip
+    if r.random() < 0.8:
+        words = deform(r, not flat and not any(letter in "sm" for letter in letters), [x == "p" and not (flat and k == 2) for k, x in enumerate(letters)])
+        lines.append(words)
+    after = r.choice(["", " remove", " remove special"] if letters == ["p", "p", "p"] else ["", " remove"])
+    lines += ["run 60 post no", f"delete_bonds all stats{after}", f"run {r.randint(20, 60)} post no"]
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_networks(seed: int, tmp_path: Path) -> None:
+    wrong = []
+    for number in range(SCRIPTS):
+        text = script(1000 * seed + number)
+        if found := difference(text, tmp_path):
+            wrong.append(f"---- {1000 * seed + number}\n{text}{found}")
+    assert not wrong, f"{len(wrong)} of {SCRIPTS}\n" + "\n".join(wrong[:4])
