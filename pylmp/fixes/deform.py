@@ -91,9 +91,10 @@ class Deform(Fix):
             raise ScriptError("More than one fix deform", hint="one fix deform takes several directions")
         for change in self.changes.values():
             change.check(sim)
-        # A later part of a ramp starts where the box was when the fix was defined.
-        self.start = Start.of(sim.box) if sim.step == sim.begin else self.first
-        time = (sim.end - sim.begin) * sim.dt
+        # A later part of a ramp starts where the box was when the fix was defined. Other commands than runs take no time.
+        running = sim.output.running
+        self.start = self.first if running and sim.step != sim.begin else Start.of(sim.box)
+        time = (sim.end - sim.begin) * sim.dt if running else 0.0
         for k, change in sorted(self.changes.items()):
             if k < 3:
                 change.plan_faces(*self.start.faces[k], time)

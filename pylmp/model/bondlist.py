@@ -187,15 +187,18 @@ class Breaks:
         atoms = sim.atoms
         if self.pairs:
             rows = atoms.rows_by_tag()
-            for pair in self.pairs:
+            for pair in dict.fromkeys(self.pairs):  # two bonds between the same atoms
                 for tag, other in (pair, pair[::-1]):
                     row = int(rows[tag]) if tag < len(rows) else -1
                     if row < 0:
                         continue
                     near, used = int(atoms.num_special[row, 0]), int(atoms.num_special[row, 2])
                     found = np.flatnonzero(atoms.special[row, :near] == other)
-                    if len(found):
-                        k = int(found[0])
-                        atoms.special[row, k : used - 1] = atoms.special[row, k + 1 : used]
-                        atoms.num_special[row] = near - 1
+                    if not len(found):  # the bond between them that broke later
+                        raise ScriptError(
+                            f"Special bond {tag} {other} not found", hint="a box wide enough that no two atoms are bonded twice"
+                        )
+                    k = int(found[0])
+                    atoms.special[row, k : used - 1] = atoms.special[row, k + 1 : used]
+                    atoms.num_special[row] = near - 1
         self.pairs.clear()

@@ -53,14 +53,14 @@ class Ghosts:
     def __init__(self, sim: Simulation) -> None:
         self.velocity = sim.ghost_velocity
         box = sim.box
-        flow = self.velocity and bool(box.rate_group)
-        self._borders = loops.borders(box.periodic, sim.dimension, flow)
-        self._refresh = loops.refresh(self.velocity, box.triclinic, flow)
+        self.flow = self.velocity and bool(box.rate_group)
+        self._borders = loops.borders(box.periodic, sim.dimension, self.flow)
+        self._refresh = loops.refresh(self.velocity, box.triclinic, self.flow)
         self._reverse = loops.reverse()
         self._index = loops.index()
         self.swaps = np.zeros(2, np.int64)
         self.source = self.axis = np.zeros(0, np.int64)
-        self.sign = np.zeros(0)
+        self.sign, self.place = np.zeros(0), np.zeros(0, np.int64)
         self.first = self.same = np.zeros(0, np.int64)
 
     def functions(self) -> list[Function]:
@@ -71,7 +71,8 @@ class Ghosts:
         atoms, box = sim.atoms, sim.box
         atoms.clear_ghosts()
         (lo, hi), reach = box.frame, box.frame_reach(cutoff)
-        pairs = sum(2 * (int(near / length) + 1) for near, length in zip(reach, hi - lo, strict=True))
+        needs = zip(reach, hi - lo, box.periodic, strict=True)
+        pairs = sum(2 * (int(near / length) + 1) for near, length, periodic in needs if periodic)
         if len(self.swaps) < pairs + 2:
             self.swaps = np.zeros(pairs + 2, np.int64)
         atoms.reserve(atoms.n + 1)
@@ -79,7 +80,7 @@ class Ghosts:
             self._fit(atoms.capacity)
             total = kernel(self._borders).bind(
                 atoms.x, atoms.v, atoms.tag, atoms.type, atoms.mask, self.source, self.axis, self.sign, self.swaps,
-                lo, hi, reach, box.rate, box.rate_group, atoms.n, atoms.capacity,
+                self.place, lo, hi, reach, box.rate, box.rate_group, atoms.n, atoms.capacity,
             )()  # fmt: skip
             if total >= 0.0:
                 break
@@ -97,12 +98,14 @@ class Ghosts:
             self.axis = np.zeros(capacity, np.int64)
             self.same = np.zeros(capacity, np.int64)
             self.sign = np.zeros(capacity)
+            if self.flow:
+                self.place = np.zeros(capacity, np.int64)
 
     def bind_refresh(self, sim: Simulation) -> Callable[[], float]:
         atoms, box = sim.atoms, sim.box
         return kernel(self._refresh).bind(
-            atoms.x, atoms.v, atoms.mask, self.source, self.axis, self.sign, box.lo, box.hi, box.h, box.rate,
-            box.rate_group, atoms.n, atoms.total,
+            atoms.x, atoms.v, atoms.mask, self.source, self.axis, self.sign, self.place, box.lo, box.hi, box.h,
+            box.rate, box.rate_group, atoms.n, atoms.total,
         )  # fmt: skip
 
     def fold(self, values: Floats) -> None:

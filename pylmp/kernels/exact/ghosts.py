@@ -8,13 +8,15 @@ from pylmp.kernels.kinds import Function
 def borders(periodic: tuple[bool, bool, bool], dimension: int, flow: bool) -> Function:
     """Make the ghosts, in frame coordinates. flow: velocities change across a periodic face of a box that flows.
 
+    Whether an image takes part in the flow LAMMPS reads from the wrong atom: number k of a swap from row k (place).
+
     For each periodic direction pairs of swaps: first copies of atoms near the low face, moved up by a box length, then
     near the high face, moved down. Later pairs of a direction copy only what the pair before made.
     """
 
     def make_ghosts(
         x: "f8*", v: "f8*", tag: "i8*", type_: "i8*", mask: "i8*", source: "i8*", axis: "i8*", sign: "f8*",
-        swaps: "i8*", lo: "f8*", hi: "f8*", cutoff: "f8*", rate: "f8*", group: "i8", n: "i8", capacity: "i8",
+        swaps: "i8*", place: "i8*", lo: "f8*", hi: "f8*", cutoff: "f8*", rate: "f8*", group: "i8", n: "i8", capacity: "i8",
     ) -> "f8":
         """cutoff: (3,). Fill ghost rows; swaps[0] = number of swaps, swaps[1 + k] = first row of swap k. Returns owned + ghosts, -1: no room."""
         total = n
@@ -48,8 +50,10 @@ def borders(periodic: tuple[bool, bool, bool], dimension: int, flow: bool) -> Fu
                             x[3 * total + k] = x[3 * i + k]
                             v[3 * total + k] = v[3 * i + k]
                         x[3 * total + d] += shift * length
-                        if flow and mask[i] & group != 0:
-                            cross(v, 3 * total, d, shift, rate)
+                        if flow:
+                            place[total] = total - swaps[count]
+                            if mask[place[total]] & group != 0:
+                                cross(v, 3 * total, d, shift, rate)
                         tag[total] = tag[i]
                         type_[total] = type_[i]
                         mask[total] = mask[i]
@@ -92,7 +96,7 @@ def refresh(velocity: bool, triclinic: bool, flow: bool) -> Function:
     """Ghosts follow their source; a source may itself be a ghost, refreshed before. triclinic: a shift has several components."""
 
     def refresh_ghosts(
-        x: "f8*", v: "f8*", mask: "i8*", source: "i8*", axis: "i8*", sign: "f8*", lo: "f8*", hi: "f8*", h: "f8*",
+        x: "f8*", v: "f8*", mask: "i8*", source: "i8*", axis: "i8*", sign: "f8*", place: "i8*", lo: "f8*", hi: "f8*", h: "f8*",
         rate: "f8*", group: "i8", n: "i8", total: "i8",
     ) -> "f8":
         """h: (6,) of a triclinic box, xx yy zz yz xz xy."""
@@ -115,7 +119,7 @@ def refresh(velocity: bool, triclinic: bool, flow: bool) -> Function:
                 v[3 * g] = v[s]
                 v[3 * g + 1] = v[s + 1]
                 v[3 * g + 2] = v[s + 2]
-                if flow and mask[g] & group != 0:
+                if flow and mask[place[g]] & group != 0:
                     cross(v, 3 * g, d, sign[g], rate)
         return 0.0
 
