@@ -7,14 +7,18 @@ from typing import Any
 
 from pylmp.kernels.key import reached
 
+HEAD = 2  # words of a block in front of the arguments: numba's result and error
 _taught: set[types.FunctionType] = set()
 
 
 def compile_object(function: types.FunctionType) -> bytes:
-    """Machine code with one symbol, ``kernel``: int32 kernel(double *result, void **error, arguments...).
+    """Machine code with one symbol, ``kernel``: double kernel(int64 block[]).
+
+    block: HEAD words for the kernel's own use, then a word for each argument: an integer, the bits of a double, an address.
+    One pointer is all a caller hands over, however many arguments there are: calls from Python cost by the argument.
 
     Strict IEEE arithmetic: no reassociation, no contraction. Raises TypeError, naming the kernel, when it would
-    allocate, print or call anything outside itself.
+    allocate, print, raise or call anything outside itself.
     """
     import llvmlite.binding as llvm
     from numba import njit
@@ -28,23 +32,51 @@ def compile_object(function: types.FunctionType) -> bytes:
     )
     _teach(function)
     compiled = njit(numba_types.float64(*signature), error_model="numpy")(function).overloads[signature]
-    module = llvm.parse_assembly(compiled.library.get_llvm_str())
-    name = compiled.fndesc.llvm_func_name
+    text, name = compiled.library.get_llvm_str(), compiled.fndesc.llvm_func_name
+    native = llvm.parse_assembly(text).get_function(name)
+    module = llvm.parse_assembly(text + _entry(native))
     for symbol in (*module.functions, *module.global_variables):
         if not symbol.is_declaration:
-            symbol.linkage = "external" if symbol.name == name else "internal"
+            symbol.linkage = "external" if symbol.name == "kernel" else "internal"
     machine = llvm.Target.from_triple(llvm.get_process_triple()).create_target_machine(
         cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(),
         opt=3, reloc="pic", codemodel="small",
     )  # fmt: skip
     _drop_unreached(llvm, module, machine)
-    module.get_function(name).name = "kernel"
     outside = [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
     if outside:
         raise TypeError(
             f"kernel {function.__name__} calls {outside}: kernels allocate nothing and call nothing outside"
         )
+    if _may_raise(native):
+        raise TypeError(f"kernel {function.__name__} may raise: nobody would hear it")
     return bytes(machine.emit_object(module))
+
+
+def _may_raise(native: Any) -> bool:
+    """numba's functions return 0, or a number for an exception."""
+    ends = [step for block in native.blocks for step in block.instructions if step.opcode == "ret"]
+    return any(str(end).split(",")[0].strip() != "ret i32 0" for end in ends)
+
+
+def _entry(native: Any) -> str:
+    """kernel(block) in LLVM's language: unpack the block, call native(result, error, arguments...)."""
+    kinds = [str(argument.type) for argument in native.arguments]
+    words = "ptr" if kinds[0] == "ptr" else "i64*"  # LLVM before 17 says what a pointer points to
+    lines = [f"  %words = inttoptr i64 %block to {words}"]
+    for k, kind in enumerate(kinds):
+        lines.append(f"  %at{k} = getelementptr i64, {words} %words, i64 {k}")
+        if k < HEAD:
+            lines.append(f"  %a{k} = bitcast {words} %at{k} to {kind}")
+            continue
+        how = {"i64": "bitcast", "double": "bitcast"}.get(kind, "inttoptr")
+        lines.append(f"  %w{k} = load i64, {words} %at{k}")
+        lines.append(f"  %a{k} = {how} i64 %w{k} to {kind}")
+    passed = ", ".join(f"{kind} %a{k}" for k, kind in enumerate(kinds))
+    lines.append(f'  %status = call i32 @"{native.name}"({passed})')
+    lines.append(f"  %result = load double, {kinds[0]} %a0")
+    body = "\n".join(lines)
+    return f"\ndefine double @kernel(i64 %block) {{\n{body}\n  ret double %result\n}}\n"
 
 
 def arguments(function: types.FunctionType) -> list[str]:

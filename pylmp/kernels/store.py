@@ -8,20 +8,22 @@ cannot be read, written or trusted costs time, never the run.
 from __future__ import annotations
 
 import ctypes
+import struct
 import types
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from pylmp.kernels import disk
-from pylmp.kernels.compile import arguments
+from pylmp.kernels.compile import HEAD, arguments
 from pylmp.kernels.key import key
 from pylmp.kernels.load import place
 from pylmp.kernels.workers import compile_all
 
-_SCALARS = {"f8": ctypes.c_double, "i8": ctypes.c_int64}
+_WORDS = {"f8": "d", "i8": "q"}  # of struct; arrays go in by their address
 _ARRAYS = {"f8*": np.float64, "i8*": np.int64, "i4*": np.int32, "u1*": np.uint8}
 _placed: dict[str, Kernel] = {}  # by content
 _made: WeakKeyDictionary[types.FunctionType, Kernel] = WeakKeyDictionary()  # by function: saves walking it again
@@ -34,8 +36,8 @@ class Kernel:
         self.name = function.__name__
         self.kinds = arguments(function)
         self.owner, self.address = place(code)
-        native: list[Any] = [_SCALARS.get(kind, ctypes.c_void_p) for kind in self.kinds]
-        self._call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *native)(self.address)
+        self._block = struct.Struct(f"={8 * HEAD}x" + "".join(_WORDS.get(kind, "Q") for kind in self.kinds))
+        self._call = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p)(self.address)
 
     def bind(self, *values: Any) -> Callable[[], float]:
         """A call with these arguments: arrays (kept alive, not copied) and numbers.
@@ -44,24 +46,22 @@ class Kernel:
         """
         if len(values) != len(self.kinds):
             raise TypeError(f"{self.name} takes {len(self.kinds)} arguments, not {len(values)}")
-        native = [self._native(kind, value) for kind, value in zip(self.kinds, values, strict=True)]
-        result, error = ctypes.c_double(), ctypes.c_void_p()
-        head = (ctypes.c_void_p(ctypes.addressof(result)), ctypes.c_void_p(ctypes.addressof(error)))
-        call, whole, name = self._call, (*head, *native), self.name
-
-        def bound(_alive: Any = (values, result, error)) -> float:
-            if call(*whole):
-                raise FloatingPointError(f"{name} failed")
-            return result.value
-
+        words = [value if kind in _WORDS else self._address(kind, value) for kind, value in zip(self.kinds, values, strict=True)]
+        try:
+            block = ctypes.create_string_buffer(self._block.pack(*words))
+        except struct.error as error:
+            raise TypeError(f"{self.name}: {error}") from None
+        bound = partial(self._call, ctypes.c_void_p(ctypes.addressof(block)))
+        vars(bound)["alive"] = block, values, self
         return bound
 
-    def _native(self, kind: str, value: Any) -> Any:
-        if kind in _SCALARS:
-            return _SCALARS[kind](value)
+    def _address(self, kind: str, value: Any) -> int:
         if not (isinstance(value, np.ndarray) and value.dtype == _ARRAYS[kind] and value.flags.c_contiguous):
             raise TypeError(f"{self.name} wants a contiguous {_ARRAYS[kind].__name__} array, not {value!r}")
-        return ctypes.c_void_p(value.ctypes.data)
+        try:
+            return ctypes.addressof(ctypes.c_char.from_buffer(value))  # type: ignore[arg-type]
+        except (TypeError, ValueError):  # an array that may not be written to, or of no bytes: asked the slow way
+            return int(value.ctypes.data)
 
 
 def kernel(function: types.FunctionType) -> Kernel:

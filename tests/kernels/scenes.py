@@ -145,6 +145,15 @@ def allocating():
     return hungry
 
 
+def raising():
+    def loud(x: "f8*", n: "i8") -> "f8":
+        if n < 0:
+            raise ValueError
+        return x[0]
+
+    return loud
+
+
 def line(n=50):
     """Arguments for chain."""
     x = np.cumsum(0.8 + 0.4 * np.random.default_rng(7).random(n))

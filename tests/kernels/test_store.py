@@ -20,6 +20,7 @@ from tests.kernels.scenes import (
     chain,
     fill_and_copy,
     line,
+    raising,
     soft,
     spring,
     transcendental,
@@ -208,6 +209,11 @@ def test_the_small_loader_links_the_c_library(function, called: bytes, monkeypat
 def test_a_kernel_that_allocates_is_refused_by_name() -> None:
     with pytest.raises(TypeError, match="kernel hungry calls"):
         store.kernel(allocating())
+
+
+def test_a_kernel_that_raises_is_refused_by_name() -> None:
+    with pytest.raises(TypeError, match="kernel loud may raise"):
+        store.kernel(raising())
 
 
 def test_arguments_are_checked(home: Path) -> None:
