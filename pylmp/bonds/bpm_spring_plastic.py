@@ -60,6 +60,7 @@ BONDS.add(
         parse=parse,
         restrictions=RESTRICTIONS,
         history=("r0", "ep"),
+        evolves=True,
         reference=True,
         velocity=True,
         can_break=lambda options: bool(options["break"]),

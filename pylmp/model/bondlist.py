@@ -105,7 +105,7 @@ class BondList(Listing):
         self.broken, self.noted = np.zeros(rows, np.int64), np.zeros(rows + 1, np.int64)
 
     def copy_back(self, sim: Simulation) -> None:
-        if not self.part.memory:
+        if not (self.part.memory and self.part.style.evolves):
             return
         if self.misplaced is None:
             super().copy_back(sim)

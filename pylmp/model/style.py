@@ -64,6 +64,7 @@ class BondStyle:
                    velocity difference; h: what the bond remembers; c: its coefficients
     parse          reads the words after the style name
     history        names of what a bond remembers
+    evolves        what a bond remembers changes with its evaluation; else LAMMPS never copies it back to the atoms
     reference      history[0] is the length at the first evaluation (r0)
     velocity       the law needs dot
     can_break      options -> may the law say that a bond is not alive
@@ -97,6 +98,7 @@ class BondStyle:
     parse: Callable[[Simulation, Args], Options] = no_options
     restrictions: tuple[Restriction, ...] = ()
     history: tuple[str, ...] = ()
+    evolves: bool = False
     reference: bool = False
     velocity: bool = False
     can_break: Callable[[Options], bool] = NEVER

@@ -104,6 +104,17 @@ SCENES |= {
         "compute m few msd\n" + NVE + "fix 2 few spring/self 10\ncompute d all displace/atom\nfix 3 few move linear 0 0 0.1 units box\nunfix 3\n",
     ),
 }  # fmt: skip
+HYBRID = "pair_coeff 1 1 lj/cut 1.0 1.0\npair_coeff 2 2 morse 3 4 1.1\npair_coeff 1 2 lj/cut 0.5 1.0\n"
+OVERLAY = "pair_coeff * * lj/cut 1 1.0 1.0\npair_coeff * * soft 2.0\npair_coeff 1 2 lj/cut 2 0.5 1.0 1.3\n"
+SCENES |= {
+    "pair hybrid": (setup("pair_style hybrid lj/cut 1.5 morse 1.4\n" + HYBRID, "atomic", heat=0.5), HYBRID + NVE),
+    "pair hybrid/overlay": (setup("pair_style hybrid/overlay lj/cut 1.2 soft 1.4 lj/cut 1.1\n" + OVERLAY, "atomic", heat=0.5), OVERLAY + NVE),
+    "pair morse": (setup("pair_style morse 1.5\npair_coeff * * 3 4 1.1\npair_coeff 1 2 2 4 1.1 1.3\npair_modify shift yes\n", "atomic"), NVE),
+    "pair soft": (setup("pair_style soft 1.3\npair_coeff 1 1 3\npair_coeff 2 2 4 1.2\npair_modify mix arithmetic\n", "atomic"), NVE),
+    "bpm/spring": (
+        setup(NET + BPM + PLASTIC.format(words="").replace("/plastic", "").replace(" 0.05\n", "\n").replace(" 0.1 0.1\n", " 0.1\n"), newton="on off"), NVE,
+    ),
+}  # fmt: skip
 SCENES["fix deform"] = (setup(style="atomic"), NVE + "fix 2 all deform 2 x erate 0.05 y scale 1.1 z trate 0.02 remap x\n")
 KEPT_OTHERWISE = {"fix deform"}  # LAMMPS stores what it then computes anew
 SCENES["two dimensions"] = (
