@@ -25,16 +25,21 @@ _PATHS_AT_ONCE = 4_000_000  # a bound on memory: atoms are done in stretches wit
 class Neighborhood:
     """Neighbors one bond away: those of row i are rows member[first[i]:first[i + 1]], own bond slots first.
 
-    A bond counts whether it is on, off or broken, and as often as it is stored.
+    A bond counts whether it is on, off or broken, and as often as it is stored. Lost atoms that are still bonded follow
+    the owned rows; tags: IDs of all.
     """
 
     def __init__(self, sim: Simulation) -> None:
-        rows, _, partners = bond_pairs(sim, lambda kinds: np.ones(kinds.shape, bool))
-        known = partners >= 0
-        rows, partners = rows[known], partners[known]
+        atoms = sim.atoms
+        rows, slots, partners = bond_pairs(sim, lambda kinds: np.ones(kinds.shape, bool))
+        lost = partners < 0
+        gone, at = np.unique(atoms.bond_atom[rows[lost], slots[lost]], return_inverse=True)
+        partners = partners.copy()
+        partners[lost] = atoms.n + at
+        self.tags = np.concatenate([atoms.tag[: atoms.n], gone])
         if sim.newton_bond:
-            rows, partners = np.concatenate([rows, partners]), np.concatenate([partners, rows])
-        self.count = np.bincount(rows, minlength=sim.atoms.n)
+            rows, partners = np.concatenate([rows, partners[~lost]]), np.concatenate([partners, rows[~lost]])
+        self.count = np.bincount(rows, minlength=len(self.tags))
         self.first = np.concatenate([[0], np.cumsum(self.count)])
         self.member = partners[np.argsort(rows, kind="stable")]
 
@@ -89,9 +94,10 @@ def build_special(sim: Simulation) -> None:
     for k in range(depth):
         lines.append(f"{int(paths[k].max(initial=0)):6d} = max # of 1-{k + 2} neighbors")
     joined: list[Ints | None] = [None, None, None]
+    total = len(near.tags)
     for k, flag, name in ((1, settings.angle, "angle"), (2, settings.dihedral, "dihedral")):
         if flag and k < depth:
-            joined[k] = _joined(sim, name)
+            joined[k] = _joined(sim, name, total)
             before = near.pairs(k + 1)
             lines.append(f"  {len(before)} = # of 1-{k + 2} neighbors before {name} trim")
             lines.append(f"  {int(_among(before, joined[k]).sum())} = # of 1-{k + 2} neighbors after {name} trim")
@@ -104,7 +110,7 @@ def build_special(sim: Simulation) -> None:
     sim.console.both("\n".join(lines) + "\n")
 
 
-def _joined(sim: Simulation, name: str) -> Ints:
+def _joined(sim: Simulation, name: str, n: int) -> Ints:
     """Pairs of rows (i*n + j: j stays in the list of i) that an angle joins by its ends, a dihedral by its ends.
 
     For special_bonds angle yes a dihedral a-b-c-d joins a to c, c to a and d to b. LAMMPS forgets b to d, and so must we.
@@ -116,7 +122,7 @@ def _joined(sim: Simulation, name: str) -> Ints:
     for kind, one, other in ends:
         at = entries(sim, kind).at(sim)
         at = at[(at[:, [one, other]] >= 0).all(axis=1)]
-        keys.append(at[:, one] * np.int64(sim.atoms.n) + at[:, other])
+        keys.append(at[:, one] * np.int64(n) + at[:, other])
     return np.unique(np.concatenate(keys))
 
 
@@ -141,19 +147,19 @@ def _fill(sim: Simulation, near: Neighborhood, wanted: list[Ints | None]) -> int
 
 
 def _fill_rows(sim: Simulation, near: Neighborhood, rows: Ints, wanted: list[Ints | None]) -> int:
-    atoms = sim.atoms
+    atoms, total = sim.atoms, np.int64(len(near.tags))
     roots, others, levels = [], [], []
     root, other = rows, rows
     for k, keep in enumerate(wanted):
         root, other = near.expand(root, other)
-        stays = slice(None) if keep is None else _among(root * np.int64(atoms.n) + other, keep)
+        stays = slice(None) if keep is None else _among(root * total + other, keep)
         roots.append(root[stays])
         others.append(other[stays])
         levels.append(np.full(len(root[stays]), k))
     root, other, level = np.concatenate(roots), np.concatenate(others), np.concatenate(levels)
     foreign = root != other
     root, other, level = root[foreign], other[foreign], level[foreign]
-    _, seen = np.unique(root * np.int64(atoms.n) + other, return_index=True)  # each where it comes first: levels ascend
+    _, seen = np.unique(root * total + other, return_index=True)  # each where it comes first: levels ascend
     seen.sort()
     order = seen[np.argsort(root[seen], kind="stable")]
     root, other, level = root[order], other[order], level[order]
@@ -162,7 +168,7 @@ def _fill_rows(sim: Simulation, near: Neighborhood, rows: Ints, wanted: list[Int
     atoms.widen_special(longest)
     slot = np.arange(len(root)) - np.repeat(np.cumsum(counts) - counts, counts)
     atoms.special[rows] = 0
-    atoms.special[root, slot] = atoms.tag[other]
+    atoms.special[root, slot] = near.tags[other]
     for k in range(3):
         atoms.num_special[rows, k] = np.bincount(root[level <= k] - rows[0], minlength=len(rows))
     return longest

@@ -40,7 +40,8 @@ def script(seed: int) -> str:
     lines += ["create_bonds many two two 2 0.8 1.25", "create_bonds many all all 1 0.8 1.25"]
     if plastic:
         words = r.choice(["", " smooth no", " normalize yes", " store/local gone 20 time id1 id2"])
-        lines += ["special_bonds lj 0 1 1 coul 1 1 1", f"bond_style bpm/spring/plastic{words}", "bond_coeff 1 80 0.12 0.5 0.02", "bond_coeff 2 60 0.1 0.3 0.03"]
+        style, limits = r.choice([("bpm/spring/plastic", (" 0.02", " 0.03")), ("bpm/spring", ("", ""))])
+        lines += ["special_bonds lj 0 1 1 coul 1 1 1", f"bond_style {style}{words}", f"bond_coeff 1 80 0.12 0.5{limits[0]}", f"bond_coeff 2 60 0.1 0.3{limits[1]}"]
     else:
         lines += ["special_bonds lj/coul 1 1 1", "bond_style quartic", "bond_coeff 1 1200 -0.55 0.25 1.35 34.6878", "bond_coeff 2 900 -0.55 0.25 1.3 30.0"]
     lines += [
@@ -55,6 +56,8 @@ def script(seed: int) -> str:
         words = deform(r, not flat and not any(letter in "sm" for letter in letters), [x == "p" and not (flat and k == 2) for k, x in enumerate(letters)])
         lines.append(words)
     after = [f"delete_bonds all stats{r.choice(['', ' remove', ' remove special'])}"]
+    if plastic and r.random() < 0.3:
+        after.append("create_bonds many all all 1 0.8 1.35")
     if letters != ["p", "p", "p"]:
         after = []  # once atoms are lost there, LAMMPS finds what bonds remember in the rows of others
     lines += ["run 60 post no", *after, f"run {r.randint(20, 60)} post no"]
@@ -69,3 +72,19 @@ def test_networks(seed: int, tmp_path: Path) -> None:
         if found := difference(text, tmp_path):
             wrong.append(f"---- {1000 * seed + number}\n{text}{found}")
     assert not wrong, f"{len(wrong)} of {SCRIPTS}\n" + "\n".join(wrong[:4])
+
+
+@pytest.mark.parametrize("lost", [2, 3, 4])
+@pytest.mark.parametrize("command", ["delete_bonds all stats special", "create_bonds single/bond 1 1 7"])
+def test_bonds_to_lost_atoms_count(lost: int, command: str, tmp_path: Path) -> None:
+    """With newton bond on, or 1-3 weights, LAMMPS crashes."""
+    bonds = ["1 2", "2 3", "3 4", "4 5", "6 5", "3 6", "4 2"]
+    lines = [
+        "units lj", "boundary f f f", "atom_style bond", "newton off", "special_bonds lj/coul 0 1 1", "region b block 0 10 0 10 0 10",
+        "create_box 1 b bond/types 1 extra/bond/per/atom 9 extra/special/per/atom 20",
+        *(f"create_atoms 1 single {k} 5 5" for k in range(1, 8)), "mass * 1", "pair_style zero 3.0", "pair_coeff * *",
+        "bond_style zero", "bond_coeff *", *(f"create_bonds single/bond 1 {pair} special {'no' if pair != bonds[-1] else 'yes'}" for pair in bonds),
+        "fix 1 all nve", "timestep 0.01", "thermo_modify lost ignore lost/bond ignore", f"group g id {lost}", "velocity g set 0 0 1000",
+        "neigh_modify every 1 delay 0", "run 4 post no", command, "run 1 post no",
+    ]  # fmt: skip
+    assert not difference("\n".join(lines) + "\n", tmp_path)
