@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from pylmp.kernels.exact.langevin import drag_and_noise
-from pylmp.kernels.random import RanMars
+from pylmp.kernels.exact.langevin import CHUNK, drag_and_noise
+from pylmp.kernels.random import STEPS, RanMars, room
 from pylmp.kernels.store import kernel
 from pylmp.model.atoms import Floats
 from pylmp.model.gjf import Gjf
@@ -62,7 +62,8 @@ class Langevin(Thermostat):
         self._wants = ""  # what point particles lack
         while len(args):
             self._option(sim, args, args.word())
-        self._drag = self._noise = np.zeros(0)
+        self._drag = self._noise = np.zeros(sim.atom_types + 1)
+        self._room = room(3 * CHUNK)
         self._push = np.zeros((1, 3))
         self._power = self._energy = 0.0
         self._found: Any = None  # the compute of fix_modify temp
@@ -107,7 +108,7 @@ class Langevin(Thermostat):
         if self.gjf is not None:
             return self.gjf.functions()
         self._shape = self._biased(), self.start.per_atom
-        self._function = drag_and_noise(self.bit == 1, self.zero, self.tally, *self._shape)
+        self._function = drag_and_noise(self.bit == 1, len(self._drag) == 2, self.zero, self.tally, *self._shape)
         return [self._function]
 
     def _biased(self) -> bool:
@@ -167,7 +168,7 @@ class Langevin(Thermostat):
         self._hot = np.zeros((atoms.capacity, 3)) if biased else atoms.v
         self._call = kernel(self._function).bind(
             self._hot, atoms.f, atoms.type, atoms.mask, self._drag, self._noise, self._heat, self.random.table,
-            self.random.state, self._push, self.bit, count, atoms.n,
+            self.random.state, *self._room, STEPS, self._push, self.bit, count, atoms.n,
         )  # fmt: skip
 
     def _target(self, sim: Simulation) -> Floats | float:

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from pylmp.kernels.exact import integrate
 from pylmp.kernels.store import kernel
 from pylmp.model.fix import Fix
@@ -27,21 +29,20 @@ class NVE(Fix):
         super().__init__(sim, identity, group, bit, args)
         if len(args):
             args.fail("Unsupported additional arguments for fix nve", args.peek())
-        everyone = bit == 1
-        self._first, self._second = integrate.kick_and_drift(everyone), integrate.kick(everyone)
+        scene = bit == 1, sim.atom_types == 1
+        self._first, self._second = integrate.kick_and_drift(*scene), integrate.kick(*scene)
         self._calls: tuple[Callable[[], float], Callable[[], float]] = (lambda: 0.0, lambda: 0.0)
 
     def functions(self) -> list[Any]:
         return [self._first, self._second]
 
     def post_neighbor(self, sim: Simulation) -> None:
-        atoms = sim.atoms
-        half = 0.5 * sim.dt * sim.units.ftm2v
+        atoms, types = sim.atoms, sim.atom_types
+        half, kicks = 0.5 * sim.dt * sim.units.ftm2v, np.zeros(types + 1)
+        kinds = atoms.type, atoms.mask, sim.mass, kicks
         self._calls = (
-            kernel(self._first).bind(
-                atoms.x, atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, half, sim.dt, self.bit, atoms.n
-            ),
-            kernel(self._second).bind(atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, half, self.bit, atoms.n),
+            kernel(self._first).bind(atoms.x, atoms.v, atoms.f, *kinds, half, sim.dt, types, self.bit, atoms.n),
+            kernel(self._second).bind(atoms.v, atoms.f, *kinds, half, types, self.bit, atoms.n),
         )
 
     def reset_dt(self, sim: Simulation) -> None:

@@ -1,0 +1,123 @@
+"""The fixes' kernels against their formulas, atom by atom: the same bits for any number of atoms, group and types."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pylmp.kernels.exact import integrate, langevin
+from pylmp.kernels.random import LAG, STEPS, RanMars, mars_row, room
+from pylmp.kernels.store import kernel
+
+BIT = 4
+TYPES = 3
+
+
+@dataclass
+class Some:
+    """n atoms, some of them in the group of BIT."""
+
+    n: int
+    seed: int
+    one_type: bool
+
+    def __post_init__(self) -> None:
+        random = np.random.default_rng(self.seed)
+        self.x, self.v, self.f = random.standard_normal((3, max(self.n, 1), 3))
+        for array in (self.x, self.v, self.f):  # zeros of both signs
+            array[random.random(array.shape) < 0.2] = 0.0
+            array[random.random(array.shape) < 0.2] = -0.0
+        self.type = np.ones(self.n, np.int64) if self.one_type else random.integers(1, TYPES + 1, self.n)
+        self.mask = 1 + BIT * random.integers(0, 2, self.n)
+        self.mass = np.array([0.0, 0.3, 7.0, 1.1])
+        self.types = 1 if self.one_type else TYPES
+
+    def rows(self, everyone: bool) -> list[int]:
+        return [i for i in range(self.n) if everyone or self.mask[i] & BIT]
+
+
+SOME = st.builds(Some, st.integers(0, 70), st.integers(0, 10**6), st.booleans())
+
+
+@settings(max_examples=60, deadline=None)
+@given(SOME, st.booleans())
+def test_nve(some: Some, everyone: bool) -> None:
+    half, dt, scene = 0.37, 0.011, (everyone, some.one_type)
+    x, v, f = some.x.copy(), some.v.copy(), some.f
+    for i in some.rows(everyone):
+        kick = half / some.mass[some.type[i]]
+        for d in range(3):
+            v[i, d] += kick * f[i, d]
+            x[i, d] += dt * v[i, d]
+            v[i, d] += kick * f[i, d]
+    kinds = some.type, some.mask, some.mass, np.zeros(TYPES + 1), half
+    kernel(integrate.kick_and_drift(*scene)).bind(some.x, some.v, f, *kinds, dt, some.types, BIT, some.n)()
+    kernel(integrate.kick(*scene)).bind(some.v, f, *kinds, some.types, BIT, some.n)()
+    assert some.x.tobytes() == x.tobytes()
+    assert some.v.tobytes() == v.tobytes()
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@settings(max_examples=40, deadline=None)
+@given(st.integers(1, 900_000_000), st.lists(st.integers(0, 210), max_size=8))
+def test_many_random_numbers_at_once_are_those_one_by_one(compiled: bool, seed: int, counts: list[int]) -> None:
+    """Rows of draws with single draws between them, as other users of the generator make them."""
+
+    def draw(numbers: "f8*", history: "f8*", steps: "f8*", table: "f8*", state: "f8*", count: "i8") -> "f8":
+        mars_row(numbers, history, steps, table, state, count)
+        return 0.0
+
+    ours, theirs = RanMars(seed), RanMars(seed)
+    for count in counts:
+        numbers, history = room(count)
+        given_ = numbers, history, STEPS, ours.table, ours.state, count
+        kernel(draw).bind(*given_)() if compiled else draw(*given_)
+        assert numbers[:count].tolist() == [theirs.uniform() for _ in range(count)]
+        assert ours.uniform() == theirs.uniform()
+    assert [ours.uniform() for _ in range(2 * LAG)] == [theirs.uniform() for _ in range(2 * LAG)]
+    assert ours.state[0] == theirs.state[0]
+
+
+FLAGS = list(product((False, True), repeat=4))
+
+
+@pytest.mark.parametrize("everyone", [False, True])
+@pytest.mark.parametrize(
+    ("zero", "record", "biased", "each"), [flags for flags in FLAGS if sum(flags) < 2 or sum(flags) > 3]
+)
+@settings(max_examples=15, deadline=None)
+@given(SOME)
+def test_langevin(everyone: bool, zero: bool, record: bool, biased: bool, each: bool, some: Some) -> None:
+    """Also with more atoms than are drawn for at once."""
+    if some.seed % 5 == 0:
+        some = Some(some.n + langevin.CHUNK, some.seed, some.one_type)
+    rows = some.rows(everyone)
+    drag, noise = np.array([0.0, -0.1, -0.7, -1.3]), np.array([0.0, 2.0, 0.3, 1.9])
+    heat = np.random.default_rng(some.seed).random(max(some.n, 1))
+    ours, theirs = RanMars(some.seed + 1), RanMars(some.seed + 1)
+    f, push, mean = some.f.copy(), np.zeros_like(some.f), np.zeros(3)
+    for i in rows:
+        for d in range(3):
+            random = noise[some.type[i]] * heat[i if each else 0] * (theirs.uniform() - 0.5)
+            random = 0.0 if biased and some.v[i, d] == 0.0 else random
+            force = drag[some.type[i]] * some.v[i, d] + random
+            f[i, d] += force
+            push[i, d] = force
+            mean[d] += random
+    if zero:
+        for i in rows:
+            f[i] -= mean / len(rows)
+            push[i] -= mean / len(rows)
+    kept = np.zeros_like(push)
+    kernel(langevin.drag_and_noise(everyone, some.one_type, zero, record, biased, each)).bind(
+        some.v, some.f, some.type, some.mask, drag, noise, heat, ours.table, ours.state, *room(3 * langevin.CHUNK), STEPS,
+        kept, BIT, len(rows), some.n,
+    )()  # fmt: skip
+    assert some.f.tobytes() == f.tobytes()
+    assert not record or kept.tobytes() == push.tobytes()
+    assert ours.uniform() == theirs.uniform()
