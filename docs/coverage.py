@@ -39,7 +39,8 @@ KINDS: list[tuple[str, str, Registry]] = [
 HEAD = """# What runs here, and what shows it
 
 Written by `python docs/coverage.py` from the registries and the decks. *identical*: the deck is run here and on LAMMPS 22 Jul 2025 in the
-tests, and every number, dump and answer is equal to the last bit. *runs*: used in decks of others, or tested otherwise.
+tests, and every number, dump and answer is equal to the last bit. *same text*: scripts in the named file print the same here and on
+LAMMPS. *without effect*: accepted with a warning.
 *LAMMPS only*: known, refused with exit code 5; `--engine lammps` runs it. `/omp` names of bond styles run the plain law.
 """
 
@@ -60,12 +61,17 @@ class Decks:
                 self.differs[where] = note
             for name in _uses(text):
                 self.used.setdefault(name, where)
+        self.said: dict[str, str] = {}
+        for path in sorted((ROOT / "tests" / "corpus").glob("language*.cases")):
+            for name in _uses(path.read_text()):
+                self.said.setdefault(name, path.relative_to(ROOT).as_posix())
 
     def row(self, kind: str, name: str, link: str) -> str:
         key = f"{kind} {name}"
         bare = self.own.get(name, "") if kind == "command" else ""
         deck = self.own.get(key) or bare or self.used.get(key) or ""
-        status = "identical" if deck else "runs"
+        status = "identical" if deck else "same text" if key in self.said else "without effect"
+        deck = deck or self.said.get(key, "")
         shown = f"[{Path(deck).name}](../{deck})" if deck else ""
         return f"| [`{name}`]({link}) | {status} | {shown} | {self.differs.get(deck, '')} |"
 

@@ -195,8 +195,9 @@ def _match(args: Args, style: Word, values: NDArray[np.int64]) -> Mask:
     chosen = np.zeros(len(values), bool)
     for word in args.rest():
         found = _RANGE.fullmatch(word.text)
-        if not found:
-            why = "Syntax error" if ":" in word.text else f"Not a valid integer number: '{word.text}'"
+        large = next((one for one in found.groups() if one and abs(int(one[:20])) >= 2**31), None) if found else word.text
+        if found is None or large is not None:
+            why = "Syntax error" if ":" in word.text and not found else f"Not a valid integer number: '{large}'"
             args.fail(f"Incorrect range string '{word.text}': {why}", word, hint="n, a:b or a:b:step")
         start, stop, step = int(found[1]), int(found[2] or found[1]), int(found[3] or 1)
         if step < 1:

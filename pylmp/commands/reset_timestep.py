@@ -1,4 +1,4 @@
-"""reset_timestep N"""
+"""reset_timestep N [time T]"""
 
 from __future__ import annotations
 
@@ -9,12 +9,11 @@ from pylmp.text.words import Args
 
 @command("reset_timestep", needs_box=True)
 def reset_timestep(sim: Simulation, args: Args) -> None:
-    """Set the current step number."""
-    args.need(1)
+    """Set the current step number, and the simulated time. Of further words only a first "time T" counts, as in LAMMPS."""
+    if not len(args):
+        args.missing()
     word = args.word()
-    if len(args):
-        args.illegal(args.peek())
-    step = args.as_integer(word)
+    step = args.as_integer(word, 64)
     if step < 0:
         args.fail("Timestep must be >= 0", word)
     if any(dump.written_once for dump in sim.output.dumps.values()):
@@ -25,3 +24,11 @@ def reset_timestep(sim: Simulation, args: Args) -> None:
         args.fail(text, args.owner, hint=f"unfix {bound.id} first")
     sim.step = step
     sim.output.clock.book(step, sim.dt)
+    if len(args):
+        key = args.word()
+        if key.text != "time":
+            args.fail(f"Unknown reset_timestep option {key.text}", key, hint="time")
+        if not len(args):
+            args.fail("Illegal reset_timestep time command: missing argument(s)", key, hint="the time at this step")
+        sim.output.clock.set(step, args.number())
+        args.rest()

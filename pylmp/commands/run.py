@@ -80,7 +80,7 @@ def _segment(sim: Simulation, plan: RunPlan, post: bool) -> None:
 
 def _read(sim: Simulation, args: Args) -> _Request:
     number = args.word()
-    request = _Request(args.as_integer(number))
+    request = _Request(args.as_integer(number, 64))
     upto, given = False, {}
     while len(args):
         key = args.word()
@@ -94,9 +94,9 @@ def _read(sim: Simulation, args: Args) -> _Request:
             hint = 'every M "command" "command", or every M NULL' if key.text == "every" else ""
             args.fail(f"Illegal run {key.text} command: missing argument(s)", key, hint=hint)
         if key.text == "start":
-            request.start = args.integer()
+            request.start = args.integer(64)
         elif key.text == "stop":
-            request.stop = args.integer()
+            request.stop = args.integer(64)
         elif key.text == "pre":
             request.pre = args.yes()
         elif key.text == "post":
@@ -118,7 +118,7 @@ def _check(
     """Step numbers that make sense; turns upto's step number into a count."""
     now = sim.step
     if not 0 <= request.steps - (now if upto else 0) <= _MAX_STEPS:
-        if upto and request.steps < now:
+        if upto:
             args.fail(f"Invalid run command upto value: {request.steps}. Must be >= {now}", number)
         args.fail(f"Invalid run command N value: {request.steps}", number, hint=f"0 to {_MAX_STEPS}")
     if upto:

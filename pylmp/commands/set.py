@@ -85,7 +85,7 @@ class _Selection:
                 args.fail("Cannot use set mol with no molecule IDs defined", style)
             if self.style == "type":
                 identity = sim.labels.resolved(args, "atom", identity)
-            self.range = args.as_range(identity, 1, sim.atom_types if self.style == "type" else np.iinfo(np.int64).max)
+            self.range = args.as_range(identity, 1, sim.atom_types if self.style == "type" else 2**31 - 1)
         else:
             args.fail(f"Unknown set or fix set command style: {self.style}", style, hint="atom mol type group region")
 
@@ -185,7 +185,7 @@ def _whole(sim: Simulation, args: Args, name: str) -> Action:
     if name == "type" and not args.words[args.at].text.startswith("v_"):
         sim.labels.translate(args, "atom")
     value = _Value.read(sim, args, whole=True)
-    low, high = (1, sim.atom_types) if name == "type" else (0, np.iinfo(np.int64).max)
+    low, high = (1, sim.atom_types) if name == "type" else (0, 2**31 - 1)
     if not value.name and not low <= value.number <= high:
         what = "atom type" if name == "type" else f"molecule ID {value.number}"
         args.fail(f"Invalid {what} in set command", hint=f"types are 1 to {sim.atom_types}" if name == "type" else "")

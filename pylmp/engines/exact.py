@@ -92,11 +92,11 @@ class Run:
     def begin(self, title: str) -> None:
         """Lists and forces of the first step; title: what the screen is told."""
         sim = self.sim
+        self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
+        sim.console.screen(title)
         if sim.pair is None and sim.sort.every and not sim.sort.bin_size:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
             sim.sort.every = 0  # for good: a pair style that comes later does not bring it back
-        self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
-        sim.console.screen(title)
         ghost_cutoff(sim, warn=True, setup=True)
         self.start_over(sort=True)
 

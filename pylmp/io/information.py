@@ -78,7 +78,7 @@ def _box(sim: Simulation) -> str:
 
 def communication(sim: Simulation) -> str:
     """Ghost atoms; and that there is one process."""
-    text = f"\nCommunication information:\nMPI version: none, pylmp runs in one process\nComm style = {sim.communication},  Comm layout = uniform\n"
+    text = f"\nCommunication information:\nMPI version: none, pylmp runs in one process\nComm style = {sim.communication},  Comm layout = {sim.layout}\n"
     text += f"Communicate velocities for ghost atoms = {'yes' if sim.ghost_velocity else 'no'}\n"
     if sim.has_box:
         text += f"Communication mode = single\nCommunication cutoff = {eight(ghost_cutoff(sim))}\n"

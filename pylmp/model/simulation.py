@@ -83,6 +83,7 @@ class Simulation:
         self.neighbor = NeighborSettings(skin=self.units.skin)
         self.comm = CommSettings()
         self.communication = "brick"  # comm_style
+        self.layout = "uniform"  # of the boxes of processes, of which there is one
         self.sort = SortSettings()
         self.groups = Groups()
         self.regions: dict[str, Any] = {}

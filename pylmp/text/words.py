@@ -6,6 +6,7 @@ and fails with LAMMPS's own sentence at that word's place.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,6 +18,7 @@ from pylmp.text.span import Span
 _FLOAT = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 _INTEGER = re.compile(r"[-+]?\d+")
 _YES, _NO = ("yes", "on", "true"), ("no", "off", "false")
+_MOST = 2**31 - 1  # LAMMPS's types have 32 bits
 _IN_SCRIPT = "in input script or data file"
 
 
@@ -105,8 +107,8 @@ class Args:
     def number(self) -> float:
         return self.as_number(self.word())
 
-    def integer(self) -> int:
-        return self.as_integer(self.word())
+    def integer(self, bits: int = 32) -> int:
+        return self.as_integer(self.word(), bits)
 
     def yes(self) -> bool:
         """A yes/no word, as LAMMPS spells them (yes on true 1, no off false 0; lower case)."""
@@ -126,13 +128,20 @@ class Args:
 
     def as_number(self, word: Word) -> float:
         if not _FLOAT.fullmatch(word.text):
-            self.fail(f"Expected floating point parameter instead of '{word.text}' {_IN_SCRIPT}", word, hint="a number")
-        return float(word.text)
+            self.fail(f"Expected floating point parameter instead of {_shown(word)} {_IN_SCRIPT}", word, hint="a number")
+        value = float(word.text)
+        if math.isinf(value):
+            self.fail(f"Floating point number {word.text} {_IN_SCRIPT} is out of range", word)
+        return value
 
-    def as_integer(self, word: Word) -> int:
+    def as_integer(self, word: Word, bits: int = 32) -> int:
+        """A whole number of so many bits: numbers of steps have 64 in LAMMPS, all others 32."""
         if not _INTEGER.fullmatch(word.text):
-            self.fail(f"Expected integer parameter instead of '{word.text}' {_IN_SCRIPT}", word, hint="a whole number")
-        return int(word.text)
+            self.fail(f"Expected integer parameter instead of {_shown(word)} {_IN_SCRIPT}", word, hint="a whole number")
+        value = int(word.text) if len(word.text) < 100 else 1 << bits
+        if not -1 << (bits - 1) <= value < 1 << (bits - 1):
+            self.fail(f"Integer {word.text} {_IN_SCRIPT} is out of range", word)
+        return value
 
     def as_range(self, word: Word, low: int, high: int) -> range:
         """LAMMPS's range parser: any bound that is zero or negative is refused, whatever the limits are."""
@@ -142,7 +151,7 @@ class Args:
             self.fail(f"Invalid range string: {text}", word)
         start = int(found[1]) if found[1] else low
         stop = int(found[3]) if found[3] else (high if found[2] else start)
-        if (found[1] and start <= 0) or (found[3] and stop <= 0) or start <= 0:
+        if start <= 0 or (found[3] and stop <= 0) or max(start, stop) > _MOST > high:
             self.fail(f"Invalid range string: {text}", word)
         if start > high:
             self.fail(f"Numeric index {start} is out of bounds ({low}-{high})", word)
@@ -151,3 +160,7 @@ class Args:
         if start > stop:
             self.fail(f"Numeric index {start} is out of bounds ({low}-{stop})", word)
         return range(start, stop + 1)
+
+
+def _shown(word: Word) -> str:
+    return f"'{word.text}'" if word.text else "NULL or empty string"

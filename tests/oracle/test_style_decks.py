@@ -5,6 +5,7 @@ the thermo table, in dumps, in the answers of commands. Lines at its top:
 
     # covers: fix wall/lj93, fix wall/lj126     what docs/coverage.md points here from
     # differs: ...                              only where a documented departure is left, in words
+    # allow: shell env                          what pylmp must permit it
     # restart: ...                              why the restart files that the programs write at its end are not equal
 
 At the end of each deck both programs write a restart file: its bytes too must be equal.
@@ -12,6 +13,7 @@ At the end of each deck both programs write a restart file: its bytes too must b
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -34,10 +36,12 @@ def test_identical(deck: Path, tmp_path: Path) -> None:
     text = deck.read_text()
     if "\n# restart: " not in text:
         (tmp_path / deck.name).write_text(f"{text}\nwrite_restart left.restart\n")
-    report = diff(tmp_path / deck.name)
+    permits = re.search(r"^# allow: (.*)$", text, re.M)
+    switches = [word for what in (permits[1].split() if permits else []) for word in ("--allow", what)]
+    report = diff(tmp_path / deck.name, *switches)
     for _ in range(2):  # LAMMPS 22 Jul 2025 now and then loses atoms that create_atoms made in a tilted box: it is asked again
         if report["verdict"] == "failed" and report["program"] == "LAMMPS":
-            report = diff(tmp_path / deck.name)
+            report = diff(tmp_path / deck.name, *switches)
     assert report["verdict"] == "identical", failures(report)
     assert sum(part["cells"] for part in report["parts"]) > 0
 

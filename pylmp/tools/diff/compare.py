@@ -9,7 +9,7 @@ from typing import Any
 
 from pylmp.tools.diff import read
 
-IGNORED = {"log.lammps", "in.diff", "screen.txt"}
+IGNORED = {"log.lammps", "in.diff", "screen.txt", "tmp.lammps.variable"}  # the last: partitions' notes on universe variables
 
 
 @dataclass(frozen=True)

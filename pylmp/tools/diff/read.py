@@ -93,7 +93,8 @@ def dump_frames(path: Path) -> list[Frame]:
         return [_document(piece) for piece in text.split("---\n")[1:]]
     if re.match(r"\d+\n Atoms\. Timestep: ", text):
         return _xyz(text.splitlines())
-    return [Frame("", [], [], [line.split() for line in text.splitlines()])]
+    rows = [line.split() for line in text.splitlines() if not line.startswith("Printed on ")]  # info's date
+    return [Frame("", [], [], rows)]
 
 
 def _native(text: str) -> list[Frame]:
