@@ -24,7 +24,7 @@ def balance(sim: Simulation, args: Args) -> None:
     sim.console.both("Balancing ...\n")
     if len(args) < 2:
         args.missing()
-    threshold, first = args.number(), args.peek()
+    threshold, first = args.number(), args.words[1]
     style = _style(args)
     if style == "rcb" and sim.communication == "brick":
         args.fail("Balance rcb cannot be used with comm_style brick", first, hint="comm_style tiled")
@@ -32,7 +32,7 @@ def balance(sim: Simulation, args: Args) -> None:
     again = threshold <= 1.0  # the imbalance of one process is 1
     if again and (weighted or out):
         what = "weights" if weighted else "files"
-        raise Unsupported(f"LAMMPS balances one process with {what} and a threshold of 1, pylmp's native engines do not", first and first.span)
+        raise Unsupported(f"LAMMPS balances one process with {what} and a threshold of 1, pylmp's native engines do not", first.span)
     if out is not None:
         writable(sim, out).write_text("")
     initialise(sim)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from pylmp.model.minimize import MinSettings
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
@@ -34,5 +36,5 @@ def _value(args: Args, key: Word) -> object:
         if word.text not in _CHOICES[key.text]:
             args.illegal(word, hint=" ".join(_CHOICES[key.text]))
         return word.text
-    readers = {bool: args.yes, int: args.integer, float: args.number}
+    readers: dict[type, Callable[[], object]] = {bool: args.yes, int: args.integer, float: args.number}
     return readers[_KINDS[key.text]]()
