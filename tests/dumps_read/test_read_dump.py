@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import difflib
 from functools import cache
 from pathlib import Path
@@ -12,8 +11,8 @@ import pytest
 
 from pylmp.io.dump_file import DumpFile
 from pylmp.text.diagnostic import ScriptError
-from tests.restart.both import ELSEWHERE, words
-from tests.setup.both import on_lammps, on_pylmp
+from tests.restart.both import words
+from tests.setup.both import Made, on_lammps, on_pylmp, second_opinion
 
 SETUP = """units lj
 {before}
@@ -102,10 +101,9 @@ def dumps(base: Path) -> Path:
     """A folder with LAMMPS's dumps of all scenes."""
     home = base / "dumps"
     home.mkdir()
-    with contextlib.chdir(home):
-        for scene in SCENES:
-            assert not on_lammps(ELSEWHERE + setup(scene) + WRITE.format(scene), home).error
-        assert not on_lammps(ELSEWHERE + setup("periodic") + WRITE.format("d"), home).error
+    for scene in SCENES:
+        assert not on_lammps(setup(scene) + WRITE.format(scene), home).error
+    assert not on_lammps(setup("periodic") + WRITE.format("d"), home).error
     return home
 
 
@@ -116,14 +114,15 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def difference(script: str, folder: Path) -> str:
     """Empty if both programs end alike: sentence, log, state."""
-    with contextlib.chdir(folder):
-        reference, ours = on_lammps(ELSEWHERE + script, folder), on_pylmp(ELSEWHERE + script, folder)
-    wrong = [] if reference.error == ours.error else [f"{reference.error!r} {ours.error!r}"]
-    wrong += difflib.unified_diff(words(reference), words(ours), "LAMMPS", "pylmp", lineterm="", n=0)
-    for name, values in {} if reference.error else reference.arrays.items():
-        if not np.array_equal(values, ours.arrays[name]):
-            wrong.append(f"{name} differs")
-    return "\n".join(wrong)
+    ours = on_pylmp(script, folder)
+
+    def wrong(reference: Made) -> list[str]:
+        found = [] if reference.error == ours.error else [f"{reference.error!r} {ours.error!r}"]
+        found += difflib.unified_diff(words(reference), words(ours), "LAMMPS", "pylmp", lineterm="", n=0)
+        arrays = {} if reference.error else reference.arrays
+        return found + [f"{name} differs" for name, values in arrays.items() if not np.array_equal(values, ours.arrays[name])]
+
+    return "\n".join(second_opinion(script, folder, wrong))
 
 
 @pytest.mark.parametrize("scene", SCENES)

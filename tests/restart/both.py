@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import difflib
 import re
 from pathlib import Path
@@ -12,9 +11,7 @@ import numpy as np
 
 from pylmp.io.restart.content import Content
 from pylmp.io.restart.decode import decode
-from tests.setup.both import Made, on_lammps, on_pylmp
-
-ELSEWHERE = "thermo_modify warn reset\n"  # LAMMPS's process has warned of other scenes before
+from tests.setup.both import Made, on_pylmp, second_opinion
 
 
 class Pair:
@@ -25,16 +22,18 @@ class Pair:
         self.lammps.mkdir()
         self.pylmp.mkdir()
 
-    def run(self, script: str) -> tuple[Made, Made]:
-        """Both programs run script; they end alike and their logs are equal."""
-        with contextlib.chdir(self.lammps):
-            reference = on_lammps(ELSEWHERE + script, self.lammps)
-        with contextlib.chdir(self.pylmp):
-            ours = on_pylmp(ELSEWHERE + script, self.pylmp)
-        assert [reference.error, ours.error] == ["", ""], [reference.error, ours.error]
-        changed = list(difflib.unified_diff(words(reference), words(ours), "LAMMPS", "pylmp", lineterm="", n=0))
-        assert not changed, "\n".join(changed)
-        return reference, ours
+    def run(self, script: str, *files: str) -> None:
+        """Both programs run script; they end alike, their logs are equal, and so are the restart files named."""
+        ours = on_pylmp(script, self.pylmp)
+
+        def wrong(reference: Made) -> list[str]:
+            if reference.error or ours.error:
+                return [f"{reference.error!r} {ours.error!r}"]
+            found = list(difflib.unified_diff(words(reference), words(ours), "LAMMPS", "pylmp", lineterm="", n=0))
+            return found + [f"{name}: {text}" for name in files for text in differences(*self.files(name))]
+
+        found = second_opinion(script, self.lammps, wrong)
+        assert not found, "\n".join(found)
 
     def files(self, name: str) -> tuple[bytes, bytes]:
         return (self.lammps / name).read_bytes(), (self.pylmp / name).read_bytes()

@@ -29,8 +29,7 @@ FLIPS = 700
 def whole(folder: Path) -> bytes:
     """LAMMPS's file of a scene with all sections."""
     setup, again = SCENES[SCENE]
-    with contextlib.chdir(folder):
-        assert not on_lammps(f"{setup}group two type 2\n{again}run 5 post no\nwrite_restart whole\n", folder).error
+    assert not on_lammps(f"{setup}group two type 2\n{again}run 5 post no\nwrite_restart whole\n", folder).error
     return (folder / "whole").read_bytes()
 
 

