@@ -13,7 +13,7 @@ import types
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
-from weakref import WeakKeyDictionary
+from weakref import WeakKeyDictionary, ref
 
 import numpy as np
 
@@ -37,6 +37,8 @@ class Kernel:
         self.kinds = arguments(function)
         self.owner, self.address = place(code)
         self._block = struct.Struct(f"={8 * HEAD}x" + "".join(_WORDS.get(kind, "Q") for kind in self.kinds))
+        self._type = ctypes.c_char * self._block.size
+        self._last: Callable[[], partial[float] | None] = lambda: None
         self._call = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p)(self.address)
 
     def bind(self, *values: Any) -> Callable[[], float]:
@@ -46,13 +48,19 @@ class Kernel:
         """
         if len(values) != len(self.kinds):
             raise TypeError(f"{self.name} takes {len(self.kinds)} arguments, not {len(values)}")
-        words = [value if kind in _WORDS else self._address(kind, value) for kind, value in zip(self.kinds, values, strict=True)]
+        last = self._last()  # most arrays are those of the last time, whose addresses are known
+        before, known = vars(last)["alive"][:2] if last else (self.kinds, self.kinds)
+        words = [
+            value if kind in _WORDS else word if value is old else self._address(kind, value)
+            for kind, value, old, word in zip(self.kinds, values, before, known, strict=True)
+        ]
         try:
-            block = ctypes.create_string_buffer(self._block.pack(*words))
+            block = self._type.from_buffer_copy(self._block.pack(*words))
         except struct.error as error:
             raise TypeError(f"{self.name}: {error}") from None
         bound = partial(self._call, ctypes.c_void_p(ctypes.addressof(block)))
-        vars(bound)["alive"] = block, values, self
+        vars(bound)["alive"] = values, words, block, self
+        self._last = ref(bound)
         return bound
 
     def _address(self, kind: str, value: Any) -> int:
