@@ -73,6 +73,8 @@ class Run:
             listed.copy_back(sim)
         sim.bond_lists = self.forces.bonds
         self.hooks: dict[str, list[Any]] = {}
+        self._first: list[Any] = []
+        self._last: list[Any] = []
         self.builds = self.dangerous = self.ago = 0
         self.stop = False
 
@@ -92,13 +94,19 @@ class Run:
     def begin(self, title: str) -> None:
         """Lists and forces of the first step; title: what the screen is told."""
         sim = self.sim
-        self.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
+        self.bind_hooks()
         sim.console.screen(title)
         if sim.pair is None and sim.sort.every and not sim.sort.bin_size:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
             sim.sort.every = 0  # for good: a pair style that comes later does not bring it back
         ghost_cutoff(sim, warn=True, setup=True)
         self.start_over(sort=True)
+
+    def bind_hooks(self) -> None:
+        """What the fixes do in a step, found once."""
+        self.hooks = {name: hooks(self.sim.fixes, name) for name in STEP_HOOKS}
+        self._first = self.hooks["initial_integrate"] + self.hooks["post_integrate"]
+        self._last = self.hooks["post_force"] + self.hooks["final_integrate"]
 
     def start_over(self, sort: bool) -> None:
         """New lists, and forces as a set-up sums them."""
@@ -113,17 +121,17 @@ class Run:
 
     def step(self) -> None:
         """Velocity Verlet: half kick and drift, neighbors, forces, half kick."""
-        sim, timers = self.sim, self.timers
+        sim = self.sim
         sim.step += 1
-        self.call("initial_integrate")
-        self.call("post_integrate")
-        timers.stamp("Modify")
+        for hook in self._first:
+            hook(sim)
+        self.timers.stamp("Modify")
         self.renew()
-        self.forces_at(sim.asking.take(sim.step))
-        self.call("post_force")
-        self.call("final_integrate")
+        self._forces(sim.asking.take(sim.step), setup=False)
+        for hook in self._last:
+            hook(sim)
         self.call("end_of_step")
-        timers.stamp("Modify")
+        self.timers.stamp("Modify")
 
     def renew(self) -> None:
         """Ghosts follow their atoms, or all lists are built anew."""
@@ -146,10 +154,9 @@ class Run:
             hook(sim)
 
     def _forces(self, wanted: int, setup: bool) -> None:
-        wanted = self.forces.able(wanted)
         sim, timers = self.sim, self.timers
-        self.forces.clear(sim)
-        if wanted:
+        self.forces.clear()
+        if wanted and (wanted := self.forces.able(wanted)):
             sim.tally.step, sim.tally.wanted = sim.step, wanted
         if setup:
             for hook in hooks(sim.fixes, "setup_pre_force"):
@@ -157,13 +164,14 @@ class Run:
         else:
             if self.breaks.flagged:
                 self.breaks.clear_flags(sim, self.forces.lists, self.ghosts)
-            if not sim.relaxing:
+            if self.hooks["pre_force"] and not sim.relaxing:
                 self.call("pre_force")
-            timers.stamp("Modify")
+                timers.stamp("Modify")
         self.forces.pairs(sim, wanted, setup)
         timers.stamp("Pair")
         self.forces.bonded(sim, wanted, setup, self.breaks)
-        timers.stamp("Bond")
+        if self.forces.bonds:
+            timers.stamp("Bond")
         if sim.newton_pair or sim.newton_bond:
             self.reverse()
             timers.stamp("Comm")
@@ -175,8 +183,9 @@ class Run:
         sim, settings = self.sim, self.sim.neighbor
         if sim.output.restarts is not None and sim.output.restarts.due == sim.step:
             return True  # a restart file will be written: LAMMPS has all atoms in the box then
-        if any(fix.next_rebuild == sim.step for fix in sim.fixes):
-            return True
+        for fix in sim.fixes:
+            if fix.next_rebuild == sim.step:
+                return True
         self.ago += 1
         if settings.once or self.ago < settings.delay or self.ago % settings.every:
             return False

@@ -42,13 +42,15 @@ class ForceField:
         self._moved = neighbor_loops.moved()
         self._bond_calls: list[dict[tuple[int, bool], Call]] = []
         self._moved_call: Call = lambda: 0.0
+        self._moving_faces = False
+        self._forces = np.zeros((0, 3))
         self._sums = np.zeros(2)
         self._own = np.zeros(1)
         self._virial = np.zeros(6)
         self._shares = np.zeros((0, SHARES))
         self._held = np.zeros((0, 3))
         self._held_box = sim.box.corners()
-        self._limit2 = 0.0
+        self._limit2 = np.zeros(1)
 
     def prepare(self, sim: Simulation, more: list[Function]) -> None:
         """Compile what the store does not have, all at once, more included."""
@@ -109,14 +111,15 @@ class ForceField:
             }
             for listed, functions in zip(self.bonds, self._bond, strict=True)
         ]  # fmt: skip
-        skin = sim.neighbor.skin
-        self._limit2 = 0.25 * skin * skin
+        self._forces = atoms.f[: atoms.total]
+        self._limit2[0] = 0.25 * sim.neighbor.skin * sim.neighbor.skin
+        self._moving_faces = sim.box.changing and any(sim.box.periodic[: sim.dimension])
         self._moved_call = kernel(self._moved).bind(atoms.x, self._held, self._limit2, atoms.n)
 
     # ---- every step -------------------------------------------------------------------------------------------
 
-    def clear(self, sim: Simulation) -> None:
-        sim.atoms.f[: sim.atoms.total] = 0.0
+    def clear(self) -> None:
+        self._forces.fill(0.0)
 
     def able(self, wanted: int) -> int:
         """What of wanted this run can sum: shares of atoms only if a compute asked for them when it was set up, as in LAMMPS."""
@@ -127,7 +130,11 @@ class ForceField:
         self._pairs.evaluate(sim, level_of(wanted), setup)
 
     def bonded(self, sim: Simulation, wanted: int, setup: bool, breaks: Breaks) -> None:
-        """Bonds of each style in turn; then what breaks is booked."""
+        """Bonds of each style in turn; then what breaks is booked. For forces alone no sums are touched."""
+        if not wanted:
+            for listed, calls in zip(self.bonds, self._bond_calls, strict=True):
+                self._follow(sim, listed, calls[0, not setup or listed.part.style.breaks_in_setup](), breaks)
+            return
         energy = 0.0
         self._sums[1] = self._pairs.energy
         virial = np.zeros(6)
@@ -141,22 +148,25 @@ class ForceField:
             virial += self._virial
             if level == SHARED:
                 shares += self._shares
-            if listed.part.style.report is not None and (notes := int(listed.noted[0])):
-                listed.part.style.report(sim, listed.part, listed.bonds[listed.noted[1 : 1 + notes]])
-            if broken:
-                breaks.record(sim, listed, int(broken))
+            self._follow(sim, listed, broken, breaks)
         self._pairs.energy = float(self._sums[1])
-        if wanted:
-            sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
-            sim.tally.pair_virial[:] = self._pairs.virial.tolist()
-            sim.tally.bond_virial[:] = virial.tolist()
+        sim.tally.pair, sim.tally.bond = float(self._sums[1]), float(energy)
+        sim.tally.pair_virial[:] = self._pairs.virial.tolist()
+        sim.tally.bond_virial[:] = virial.tolist()
         if level == SHARED:
             sim.tally.pair_shares, sim.tally.bond_shares = self._pairs.shares.copy(), shares
 
+    @staticmethod
+    def _follow(sim: Simulation, listed: BondList, broken: float, breaks: Breaks) -> None:
+        """What follows from an evaluation of bonds: reports of a style, broken bonds."""
+        if listed.part.style.report is not None and (notes := int(listed.noted[0])):
+            listed.part.style.report(sim, listed.part, listed.bonds[listed.noted[1 : 1 + notes]])
+        if broken:
+            breaks.record(sim, listed, int(broken))
+
     def anybody_moved(self, sim: Simulation) -> bool:
         """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""
-        box = sim.box
-        if not (box.changing and any(box.periodic[: sim.dimension])):
-            return self._moved_call() != 0.0
-        delta = max(0.5 * (sim.neighbor.skin - box.travel(self._held_box)), 0.0)
-        return kernel(self._moved).bind(sim.atoms.x, self._held, delta * delta, sim.atoms.n)() != 0.0
+        if self._moving_faces:
+            delta = max(0.5 * (sim.neighbor.skin - sim.box.travel(self._held_box)), 0.0)
+            self._limit2[0] = delta * delta
+        return self._moved_call() != 0.0

@@ -61,7 +61,8 @@ class PartForces:
 
     def evaluate(self, sim: Simulation, level: int) -> float:
         """Add this part's forces; its energy from level 1 on. Raises ScriptError where the style cannot evaluate a pair."""
-        self.virial[:] = 0.0
+        if level:
+            self.virial[:] = 0.0
         if level == SHARED:
             self.shares[:] = 0.0
         energy = self.calls[level]()
@@ -97,6 +98,10 @@ class PairForces:
         if sim.pair is not None and not sim.pair.acts and not setup:
             return
         self.energy = 0.0
+        if not level:
+            for forces in self.parts:
+                forces.part.energy = forces.evaluate(sim, level)
+            return
         self.virial[:] = 0.0
         self.shares[:] = 0.0
         for forces in self.parts:

@@ -7,7 +7,7 @@ from dataclasses import replace as with_changes
 from typing import TYPE_CHECKING
 
 from pylmp.model.engine import RunReport
-from pylmp.model.fix import STEP_HOOKS, hooks
+from pylmp.model.fix import hooks
 from pylmp.model.ghosts import ghost_cutoff
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ def replay(run: Run, frames: Iterator[None]) -> RunReport:
         count = 0
         for count, _ in enumerate(frames, 1):
             sim.init_modify()
-            run.hooks = {name: hooks(sim.fixes, name) for name in STEP_HOOKS}
+            run.bind_hooks()
             ghost_cutoff(sim, warn=True, setup=True)
             run.start_over(sort=False)
             for hook in hooks(sim.fixes, "setup"):

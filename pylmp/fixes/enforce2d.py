@@ -5,6 +5,11 @@ Source: LAMMPS manual, fix_enforce2d.html.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+from pylmp.kernels.exact import pushes
+from pylmp.kernels.store import kernel
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
@@ -21,6 +26,11 @@ class Enforce2d(Fix):
         super().__init__(sim, identity, group, bit, args)
         if len(args):
             args.illegal(args.peek())
+        self._function = pushes.flatten(bit == 1)
+        self._call: Callable[[], float] = lambda: 0.0
+
+    def functions(self) -> list[Any]:
+        return [self._function]
 
     def init(self, sim: Simulation) -> None:
         if sim.dimension == 3:
@@ -28,9 +38,11 @@ class Enforce2d(Fix):
                 "Cannot use fix enforce2d with 3d simulation", hint="dimension 2", manual="fix_enforce2d.html"
             )
 
+    def post_neighbor(self, sim: Simulation) -> None:
+        atoms = sim.atoms
+        self._call = kernel(self._function).bind(atoms.v, atoms.f, atoms.mask, self.bit, atoms.n)
+
     def post_force(self, sim: Simulation) -> None:
-        rows = self.members(sim)
-        sim.atoms.v[: sim.atoms.n][rows, 2] = 0.0
-        sim.atoms.f[: sim.atoms.n][rows, 2] = 0.0
+        self._call()
 
     setup = post_force

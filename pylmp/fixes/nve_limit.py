@@ -7,10 +7,13 @@ scalar: how often velocities were limited in this run. Source: LAMMPS manual, fi
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Callable
+from typing import Any
 
-from pylmp.model.atoms import Floats
+import numpy as np
+
+from pylmp.kernels.exact.integrate import limited_kick
+from pylmp.kernels.store import kernel
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
@@ -29,30 +32,31 @@ class NVELimit(Fix):
             args.missing("fix ID GROUP nve/limit XMAX")
         self.farthest = args.number()
         self._count = 0
+        self._first, self._second = (limited_kick(bit == 1, drift) for drift in (True, False))
+        self._calls: tuple[Callable[[], float], ...] = ()
+
+    def functions(self) -> list[Any]:
+        return [self._first, self._second]
 
     def init(self, sim: Simulation) -> None:
         self._count = 0
 
-    def _kick(self, sim: Simulation) -> tuple[NDArray[np.bool_], Floats]:
-        """(members, their new velocities)."""
-        rows = self.members(sim)
-        n = sim.atoms.n
-        v = sim.atoms.v[:n][rows]
-        v += ((0.5 * sim.dt * sim.units.ftm2v) / sim.masses()[rows])[:, None] * sim.atoms.f[:n][rows]
-        square = v[:, 0] * v[:, 0] + v[:, 1] * v[:, 1] + v[:, 2] * v[:, 2]
-        limit = (self.farthest / sim.dt) * (self.farthest / sim.dt)
-        fast = square > limit
-        self._count += int(fast.sum())
-        v[fast] *= np.sqrt(limit / square[fast])[:, None]
-        sim.atoms.v[:n][rows] = v
-        return rows, v
+    def post_neighbor(self, sim: Simulation) -> None:
+        atoms, types, speed = sim.atoms, sim.atom_types, self.farthest / sim.dt
+        values = (
+            atoms.x, atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, np.zeros(types + 1), 0.5 * sim.dt * sim.units.ftm2v, sim.dt,
+            speed * speed, types, self.bit, atoms.n,
+        )  # fmt: skip
+        self._calls = tuple(kernel(function).bind(*values) for function in (self._first, self._second))
+
+    def reset_dt(self, sim: Simulation) -> None:
+        self.post_neighbor(sim)
 
     def initial_integrate(self, sim: Simulation) -> None:
-        rows, v = self._kick(sim)
-        sim.atoms.x[: sim.atoms.n][rows] += sim.dt * v
+        self._count += int(self._calls[0]())
 
     def final_integrate(self, sim: Simulation) -> None:
-        self._kick(sim)
+        self._count += int(self._calls[1]())
 
     def scalar(self, sim: Simulation) -> float:
         return float(self._count)

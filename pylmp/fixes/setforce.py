@@ -6,8 +6,13 @@ Source: LAMMPS manual, fix_setforce.html.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
+from pylmp.kernels.exact import pushes
+from pylmp.kernels.store import kernel
 from pylmp.model.atoms import Floats
 from pylmp.model.forces import ForceFix
 from pylmp.model.registry import FIXES
@@ -29,6 +34,18 @@ class SetForce(ForceFix):
         self.read_force(args, null=True)
         self.read_keywords(sim, args, {})
         self._before = np.zeros(3)
+        self._plain = not (self.region or self.varies)  # numbers, for a group: a kernel does it
+        x, y, z = (force.absent for force in self.force)
+        self._function = pushes.replace(bit == 1, (x, y, z))
+        self._call: Callable[[], float] = lambda: 0.0
+
+    def functions(self) -> list[Any]:
+        return [self._function] if self._plain else []
+
+    def post_neighbor(self, sim: Simulation) -> None:
+        if self._plain:
+            atoms, value = sim.atoms, np.array([force.value for force in self.force])
+            self._call = kernel(self._function).bind(atoms.f, atoms.mask, value, self._before, self.bit, atoms.n)
 
     def init(self, sim: Simulation) -> None:
         super().init(sim)
@@ -36,6 +53,9 @@ class SetForce(ForceFix):
             raise ScriptError("Cannot use non-zero forces in an energy minimization", hint="0.0 or NULL, or fix addforce")
 
     def post_force(self, sim: Simulation) -> None:
+        if self._plain:
+            self._call()
+            return
         f = sim.atoms.f[: sim.atoms.n]
         rows = self.members(sim)
         self._before = totals(f[rows])
@@ -46,4 +66,4 @@ class SetForce(ForceFix):
     setup = post_force
 
     def vector(self, sim: Simulation) -> Floats:
-        return self._before
+        return self._before.copy()

@@ -5,8 +5,13 @@ Source: LAMMPS manual, fix_viscous.html.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
+from pylmp.kernels.exact import pushes
+from pylmp.kernels.store import kernel
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
@@ -31,11 +36,19 @@ class Viscous(Fix):
             if not 1 <= kind <= sim.atom_types:
                 args.illegal(key)
             self.gamma[kind] *= ratio
+        self._function = pushes.viscous(bit == 1, sim.atom_types == 1)
+        self._call: Callable[[], float] = lambda: 0.0
+
+    def functions(self) -> list[Any]:
+        return [self._function]
+
+    def post_neighbor(self, sim: Simulation) -> None:
+        atoms = sim.atoms
+        self._call = kernel(self._function).bind(
+            atoms.v, atoms.f, atoms.type, atoms.mask, self.gamma, self.bit, atoms.n
+        )
 
     def post_force(self, sim: Simulation) -> None:
-        atoms = sim.atoms
-        rows = self.members(sim)
-        drag = self.gamma[atoms.type[: atoms.n][rows]]
-        atoms.f[: atoms.n][rows] -= drag[:, None] * atoms.v[: atoms.n][rows]
+        self._call()
 
     setup = post_force

@@ -66,7 +66,7 @@ class Asking:
 
     def take(self, step: int) -> int:
         """What is wanted at step, which comes now: on steps with output whatever any compute reads."""
-        if self._sim.output.due(self._sim):
+        if step == self._sim.output.due_step:
             self.everyone(step)
         return self.steps.pop(step, 0)
 

@@ -40,6 +40,7 @@ class Output:
     variable    name of the variable that gives the step of the next thermo line instead, "" for none
     first last  steps between which the run in progress goes
     running     a run is in progress
+    due_step    the next step at which something is to be written
     started     wall clock and processor seconds when its loop began
     """
 
@@ -56,7 +57,7 @@ class Output:
         self._with_setup = True
         self._timeless = False
         self.restarts: Any = None  # the schedule of the restart command
-        self._due = -1
+        self.due_step = -1
         self._thermo_due = self._thermo_written = self._thermo_first = -1
 
     @property
@@ -171,8 +172,8 @@ class Output:
 
     def _find_due(self) -> None:
         restarts = [self.restarts.due] if self.restarts is not None else []
-        self._due = min([self._thermo_due, *restarts, *(dump.due for dump in self.dumps.values())])
+        self.due_step = min([self._thermo_due, *restarts, *(dump.due for dump in self.dumps.values())])
 
     def due(self, sim: Simulation) -> bool:
         """Something is to be written at sim.step."""
-        return sim.step == self._due
+        return sim.step == self.due_step

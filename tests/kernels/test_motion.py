@@ -10,9 +10,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pylmp.kernels.exact import integrate, langevin
+from pylmp.kernels.exact import integrate, langevin, pushes
+from pylmp.kernels.exact.neighbor import moved
 from pylmp.kernels.random import LAG, STEPS, RanMars, mars_row, room
 from pylmp.kernels.store import kernel
+from pylmp.model.sums import totals
 
 BIT = 4
 TYPES = 3
@@ -60,6 +62,87 @@ def test_nve(some: Some, everyone: bool) -> None:
     kernel(integrate.kick(*scene)).bind(some.v, f, *kinds, some.types, BIT, some.n)()
     assert some.x.tobytes() == x.tobytes()
     assert some.v.tobytes() == v.tobytes()
+
+
+@settings(max_examples=60, deadline=None)
+@given(SOME, st.booleans(), st.booleans())
+def test_nve_limit(some: Some, everyone: bool, drift: bool) -> None:
+    half, dt, limit, count = 0.37, 0.011, 1.7, 0
+    x, v, f = some.x.copy(), some.v.copy(), some.f
+    for i in some.rows(everyone):
+        v[i] += half / some.mass[some.type[i]] * f[i]
+        square = v[i, 0] * v[i, 0] + v[i, 1] * v[i, 1] + v[i, 2] * v[i, 2]
+        if square > limit:
+            count += 1
+            v[i] *= np.sqrt(limit / square)
+        if drift:
+            x[i] += dt * v[i]
+    given_ = (
+        some.x,
+        some.v,
+        f,
+        some.type,
+        some.mask,
+        some.mass,
+        np.zeros(TYPES + 1),
+        half,
+        dt,
+        limit,
+        TYPES,
+        BIT,
+        some.n,
+    )
+    assert kernel(integrate.limited_kick(everyone, drift)).bind(*given_)() == count
+    assert some.x.tobytes() == x.tobytes()
+    assert some.v.tobytes() == v.tobytes()
+
+
+@settings(max_examples=60, deadline=None)
+@given(SOME, st.booleans())
+def test_viscous(some: Some, everyone: bool) -> None:
+    gamma = np.array([0.0, 0.7, 1.9, 3.1])
+    f = some.f.copy()
+    for i in some.rows(everyone):
+        f[i] -= gamma[some.type[i]] * some.v[i]
+    kernel(pushes.viscous(everyone, some.one_type)).bind(some.v, some.f, some.type, some.mask, gamma, BIT, some.n)()
+    assert some.f.tobytes() == f.tobytes()
+
+
+@settings(max_examples=60, deadline=None)
+@given(SOME, st.booleans())
+def test_enforce2d(some: Some, everyone: bool) -> None:
+    v, f, rows = some.v.copy(), some.f.copy(), some.rows(everyone)
+    v[rows, 2] = f[rows, 2] = 0.0
+    kernel(pushes.flatten(everyone)).bind(some.v, some.f, some.mask, BIT, some.n)()
+    assert some.v.tobytes() == v.tobytes()
+    assert some.f.tobytes() == f.tobytes()
+
+
+@pytest.mark.parametrize(
+    "absent", [(False, False, False), (True, False, False), (False, True, True), (True, True, True)]
+)
+@settings(max_examples=30, deadline=None)
+@given(SOME, st.booleans())
+def test_setforce(absent: tuple[bool, bool, bool], some: Some, everyone: bool) -> None:
+    value, before, rows = np.array([0.3, -0.0, 4.0]), np.zeros(3), some.rows(everyone)
+    f, total = some.f.copy(), totals(some.f[rows])
+    for d in range(3):
+        if not absent[d]:
+            f[rows, d] = value[d]
+    kernel(pushes.replace(everyone, absent)).bind(some.f, some.mask, value, before, BIT, some.n)()
+    assert some.f.tobytes() == f.tobytes()
+    assert before.tobytes() == total.tobytes()
+
+
+@pytest.mark.parametrize(
+    ("n", "off"), [(0, ()), (1, ()), (1, (0,)), (70, (69,)), (1500, ()), (1500, (1499,)), (1500, (700, 701))]
+)
+def test_somebody_moved(n: int, off: tuple[int, ...]) -> None:
+    x = np.random.default_rng(n).standard_normal((n, 3))
+    held, limit2 = x.copy(), np.array([0.25])
+    x += 0.28  # 3 * 0.28^2 = 0.2352
+    x[list(off), 1] += 0.03
+    assert kernel(moved()).bind(x, held, limit2, n)() == float(bool(off))
 
 
 @pytest.mark.parametrize("compiled", [False, True])

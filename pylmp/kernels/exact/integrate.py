@@ -1,4 +1,4 @@
-"""Velocity Verlet of the fix nve.
+"""Velocity Verlet of the fixes nve and nve/limit.
 
 Where all atoms move and have one mass, every number has the same kick: one flat loop over 3n numbers, which the compiler turns
 into vector instructions. Otherwise a loop over atoms. kicks: (types + 1,) room for half/m of each type.
@@ -7,6 +7,7 @@ into vector instructions. Otherwise a loop over atoms. kicks: (types + 1,) room 
 from __future__ import annotations
 
 from pylmp.kernels.kinds import Function
+from pylmp.laws import sqrt
 
 
 def kick_and_drift(everyone: bool, one_type: bool) -> Function:
@@ -67,3 +68,40 @@ def kick(everyone: bool, one_type: bool) -> Function:
         return 0.0
 
     return second_half
+
+
+def limited_kick(everyone: bool, drift: bool) -> Function:
+    """drift: positions follow."""
+
+    def limited_half(
+        x: "f8*", v: "f8*", f: "f8*", type_: "i8*", mask: "i8*", mass: "f8*", kicks: "f8*", half: "f8", dt: "f8", limit: "f8",
+        types: "i8", bit: "i8", n: "i8",
+    ) -> "f8":
+        """v += (half/m) f, shortened where v*v is above limit. Returns how many were."""
+        for t in range(1, types + 1):
+            kicks[t] = half / mass[t]
+        fast = 0
+        for i in range(n):
+            if everyone or mask[i] & bit != 0:
+                kick = kicks[type_[i]]
+                at = 3 * i
+                vx = v[at] + kick * f[at]
+                vy = v[at + 1] + kick * f[at + 1]
+                vz = v[at + 2] + kick * f[at + 2]
+                square = vx * vx + vy * vy + vz * vz
+                if square > limit:
+                    fast += 1
+                    part = sqrt(limit / square)
+                    vx *= part
+                    vy *= part
+                    vz *= part
+                v[at] = vx
+                v[at + 1] = vy
+                v[at + 2] = vz
+                if drift:
+                    x[at] += dt * vx
+                    x[at + 1] += dt * vy
+                    x[at + 2] += dt * vz
+        return float(fast)
+
+    return limited_half
