@@ -30,6 +30,7 @@ _KEYWORDS = ("mode", "file", "append", "ave", "start", "off", "overwrite", "form
 class AveTime(Fix):
     style = "ave/time"
     time_dependent = True
+    varying = False
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
@@ -48,7 +49,7 @@ class AveTime(Fix):
         if self.overwrite and self.average.mode != "running":
             args.fail("Fix ave/time overwrite keyword requires ave running setting", args.owner, hint="ave running")
         if self.vectors:
-            sizes = {value.rows for value in self.inputs if value.kind != "v"}
+            sizes = {value.rows for value in self.inputs if not value.varying}
             if len(sizes) > 1:
                 args.fail("Fix ave/time columns have inconsistent lengths", args.owner, hint="one fix for each length")
             if len({value.extensive for value in self.inputs}) > 1:
@@ -104,7 +105,8 @@ class AveTime(Fix):
                 setattr(self, kind, None)
         self.length = len(self.inputs)
         if self.vectors:
-            self.length = max(value.rows for value in self.inputs)
+            self.varying = all(value.varying for value in self.inputs)
+            self.length = max(value.rows for value in self.inputs if self.varying or not value.varying)
             self.columns = len(self.inputs)
         self.extensive_scalar = extensive[0]
         self.extensive_vector = extensive[0] if self.vectors else extensive
@@ -177,7 +179,7 @@ class AveTime(Fix):
         """(columns,), or (rows, columns) in mode vector."""
         values = [value.measure(sim) for value in self.inputs]
         if self.vectors and len({len(value) for value in values}) > 1:
-            raise ScriptError("Fix ave/time columns are inconsistent lengths", hint="one fix for each length")
+            raise ScriptError("Fix ave/time columns have inconsistent lengths", hint="one fix for each length")
         return np.stack(values, axis=-1) if self.vectors else np.array(values)
 
     def removed(self, sim: Simulation) -> None:
@@ -192,13 +194,16 @@ class AveTime(Fix):
         return float(self.average.value[0]) if self.average.count else 0.0
 
     def vector(self, sim: Simulation) -> Floats:
-        value = self.average.value
-        if not self.average.count:
-            return np.zeros(self.length)
-        return value[:, 0] if self.vectors else value
+        return self._rows()[:, 0] if self.vectors else self._rows()
 
     def array(self, sim: Simulation) -> Floats:
-        return self.average.value if self.average.count else np.zeros((self.length, self.columns))
+        return self._rows()
+
+    def _rows(self) -> Floats:
+        """Where the number of rows varies, LAMMPS shows others the first one only."""
+        if not self.average.count:
+            return np.zeros((self.length, self.columns) if self.vectors else self.length)
+        return self.average.value[:1] if self.varying else self.average.value
 
 
 def _mode(args: Args) -> bool:

@@ -16,7 +16,6 @@ from pylmp.model.motion import center_of_mass
 from pylmp.model.registry import FIXES
 from pylmp.model.simulation import Simulation
 from pylmp.model.sums import total
-from pylmp.text.diagnostic import ScriptError
 from pylmp.text.words import Args
 
 
@@ -29,6 +28,8 @@ class Recenter(Fix):
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
         args.need(3)
+        if not self.members(sim).any():
+            args.fail(f"Fix recenter group {group} has no atoms", hint="a group with atoms")
         self.to: list[float | str] = []
         for _ in range(3):
             word = args.word()
@@ -57,8 +58,6 @@ class Recenter(Fix):
 
     def init(self, sim: Simulation) -> None:
         rows = self.members(sim)
-        if not rows.any():
-            raise ScriptError(f"Fix recenter group {self.group} has no atoms", hint="a group with atoms")
         later = sim.fixes[sim.fixes.index(self) + 1 :]
         if any(fix.integrates or fix.style == self.style for fix in later):
             sim.console.warning("Fix recenter should come after all other integration fixes")

@@ -28,7 +28,8 @@ class Input:
     index: int
     vector: bool
     extensive: bool = False
-    rows: int = 0  # of a vector, where it is known beforehand
+    rows: int = 1  # of a vector, as far as it is known beforehand
+    varying: bool = False  # the rows of a vector
 
     def source(self, sim: Simulation) -> Any:
         if self.kind == "c":
@@ -105,6 +106,7 @@ def _check_variable(sim: Simulation, args: Args, word: Word, value: Input) -> No
         args.fail(missing(value, args.what), word)
     if value.vector and value.index:
         args.fail(f"{what} mode vector variable {value.name} cannot be indexed", word)
+    value.varying = value.vector
     if value.vector or value.index:
         if style != "vector":
             args.fail(f"{what} variable {value.name} is not vector-style variable", word)
@@ -124,6 +126,10 @@ def _check_source(args: Args, word: Word, value: Input, source: Any, every: int)
         size = getattr(source, "columns" if value.vector else "length", 0)
         if size and value.index > size:
             args.fail(f"{what} {value.values} is accessed out-of-range", word, hint=f"1 to {size}")
+    varying = getattr(source, "varying", False)
+    if value.kind == "f" and varying and value.index:
+        length = "have variable row length" if value.vector else "be variable length"
+        args.fail(f"{what} {value.values} cannot {length}", word, hint="read the compute itself")
     if value.kind == "f" and every % source.compatible_every:
         args.fail(
             f"Fix {value.name} for {args.what} not computed at compatible time", word,
@@ -133,4 +139,6 @@ def _check_source(args: Args, word: Word, value: Input, source: Any, every: int)
     if isinstance(extensive, tuple):
         extensive = all(extensive) if value.vector else extensive[value.index - 1]
     value.extensive = bool(extensive)
-    value.rows = int(getattr(source, "length", 0)) if value.vector else 0
+    if value.vector:
+        value.varying = varying and value.kind == "c"
+        value.rows = 1 if varying else int(getattr(source, "length", 0))

@@ -56,6 +56,8 @@ def value(sim: Simulation, kind: str, name: str, index: tuple[int, ...], mode: s
     if mode == "vector":
         return np.asarray(_column(measured, index[0], what) if index else measured, float)
     for at in index:
+        if at > len(measured) and found.kind == "f" and getattr(source, "varying", False):
+            return 0.0
         if not 1 <= at <= len(measured):
             raise FormulaError(f"Variable formula {what} {values} is accessed out-of-range")
         measured = measured[at - 1]
