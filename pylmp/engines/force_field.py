@@ -54,7 +54,7 @@ class ForceField:
 
     def prepare(self, sim: Simulation, more: list[Function]) -> None:
         """Compile what the store does not have, all at once, more included."""
-        functions = [*self.ghosts.functions(), self._moved, *more]
+        functions = [*sim.box.functions(), *self.ghosts.functions(), self._moved, *more]
         if self.lists:
             functions += self.lists.functions()
         functions += self._pairs.functions()

@@ -15,7 +15,7 @@ from contextlib import nullcontext
 
 import numpy as np
 
-from pylmp.model.atoms import ten_bits
+from pylmp.kernels.exact.wrapping import ten_bits
 from pylmp.model.deformation import ALONG, Change, Start, pack, read_change, unpack, volume_shares
 from pylmp.model.fix import Fix
 from pylmp.model.registry import FIXES

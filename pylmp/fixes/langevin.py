@@ -156,7 +156,7 @@ class Langevin(Thermostat):
 
     def post_neighbor(self, sim: Simulation) -> None:
         atoms = sim.atoms
-        count = int(self.members(sim).sum())
+        count = atoms.n if self.bit == 1 else int(self.members(sim).sum())
         if self.zero and count == 0:
             raise ScriptError("Cannot zero Langevin force of 0 atoms", hint="zero no, or a group with atoms")
         if len(self._push) < atoms.n:

@@ -18,7 +18,8 @@ from pylmp.io.data_history import History
 from pylmp.io.data_rows import read_atoms, read_velocities
 from pylmp.io.data_topology import Scanned, keep, scan
 from pylmp.io.data_types import TypeMap
-from pylmp.model.atoms import MOST_SLOTS, MOST_TYPES, Atoms, Floats, Ints, ten_bits
+from pylmp.kernels.exact.wrapping import ten_bits
+from pylmp.model.atoms import MOST_SLOTS, MOST_TYPES, Atoms, Floats, Ints
 from pylmp.model.box import FARTHEST, Box
 from pylmp.model.simulation import Simulation
 from pylmp.model.special import build_special

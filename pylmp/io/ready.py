@@ -46,15 +46,13 @@ def wrap_atoms(sim: Simulation, ghosts: Ghosts | None = None) -> float:
     Returns the ghost cutoff, with LAMMPS's warnings about it.
     """
     atoms, box = sim.atoms, sim.box
-    if ghosts is not None:
-        prepare(ghosts.functions(), sim.console.screen)
+    prepare(box.functions() + (ghosts.functions() if ghosts is not None else []), sim.console.screen)
     cutoff = ghost_cutoff(sim, warn=True)
     atoms.clear_ghosts()
     box.enter(atoms.x[: atoms.n])
     box.wrap(atoms)
     box.shrink(atoms)
-    x, (lo, hi) = atoms.x[: atoms.n], box.frame
-    if ((x < lo) | (x >= hi)).any():
+    if box.lost(atoms):
         for listed in sim.bond_lists:
             listed.copy_back(sim)
         sim.bond_lists = []  # they hold rows that become others'

@@ -242,8 +242,3 @@ def _grown(array: NDArray[np.generic], rows: int) -> NDArray[np.generic]:
     bigger = np.zeros((rows, *array.shape[1:]), array.dtype)
     bigger[: len(array)] = array
     return bigger
-
-
-def ten_bits(image: Ints) -> Ints:
-    """Image flags as LAMMPS keeps them, -512 to 511."""
-    return ((image + 512) & 1023) - 512

@@ -13,7 +13,11 @@ from typing import ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.model.atoms import Atoms, Floats, Ints, ten_bits
+from pylmp.kernels.exact import wrapping
+from pylmp.kernels.exact.wrapping import ten_bits
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.store import kernel
+from pylmp.model.atoms import Atoms, Floats, Ints
 from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import shortest
@@ -21,6 +25,7 @@ from pylmp.text.number import shortest
 FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out, and LAMMPS would wrap it for ever
 _FAR = 16.0  # box lengths between two atoms that LAMMPS does not look beyond
 SHRINK_MARGIN = 1.0e-4  # of the box length: how far a shrink-wrapped face stays outside the extreme atom
+_WRAP, _OUTSIDE, _ALL = wrapping.wrap(), wrapping.outside(), np.ones(3, np.int64)
 Boundary = tuple[tuple[str, str], ...]
 
 
@@ -197,32 +202,18 @@ class Box:
 
     def wrap(self, atoms: Atoms) -> None:
         """LAMMPS's pbc: periodic coordinates move by at most one box length a side, in place, in frame coordinates."""
-        x, image = atoms.x[: atoms.n], atoms.image[: atoms.n]
-        lows, highs = self.frame
-        for d, periodic in enumerate(self.periodic):
-            if not periodic:
-                continue
-            lo, hi = lows[d], highs[d]
-            length = hi - lo
-            below = x[:, d] < lo
-            if below.any():
-                x[below, d] += length
-                image[below, d] = ten_bits(image[below, d] - 1)
-                self._cross(atoms, below, d, 1.0)
-            above = x[:, d] >= hi
-            if above.any():
-                x[above, d] -= length
-                x[above, d] = np.maximum(x[above, d], lo)
-                image[above, d] = ten_bits(image[above, d] + 1)
-                self._cross(atoms, above, d, -1.0)
+        kernel(_WRAP).bind(
+            atoms.x, atoms.v, atoms.image, atoms.mask, *self.frame, np.array(self.periodic, np.int64), self.rate, self.rate_group, atoms.n
+        )()
 
-    def _cross(self, atoms: Atoms, rows: NDArray[np.bool_], d: int, sign: float) -> None:
-        """Who crosses a face of a flowing box takes on the velocity of the other side."""
-        if not self.rate_group:
-            return
-        rows = rows & ((atoms.mask[: atoms.n] & self.rate_group) != 0)
-        for k, entry in enumerate(((0,), (5, 1), (4, 3, 2))[d]):
-            atoms.v[: atoms.n][rows, k] += sign * self.rate[entry]
+    def lost(self, atoms: Atoms) -> bool:
+        """Is an owned atom beyond a face? In frame coordinates."""
+        return kernel(_OUTSIDE).bind(atoms.x, *self.frame, _ALL, atoms.n)() > 0.0
+
+    @staticmethod
+    def functions() -> list[Function]:
+        """Kernels that wrap and lost call."""
+        return [_WRAP, _OUTSIDE]
 
     def remap(self, x: Floats, image: Ints) -> None:
         """LAMMPS's remap: wrap positions as often as it takes, in place."""

@@ -23,6 +23,8 @@ def remove_lost(sim: Simulation) -> None:
     In periodic directions these are atoms more than one box length away, since wrapping moves by one at most.
     """
     atoms = sim.atoms
+    if not sim.box.lost(atoms):
+        return
     lo, hi = sim.box.frame
     for d in range(3):
         x = atoms.x[: atoms.n, d]

@@ -49,6 +49,18 @@ class Simulation:
     script             the interpreter that feeds commands (flow control, variables)
     """
 
+    atoms: Atoms
+    output: Output
+    timer: Timer
+    step: int
+    begin: int
+    end: int
+    dt: float
+    bonds: int
+    angles: int
+    dihedrals: int
+    impropers: int
+
     def __init__(self, console: Console, engine: Engine | None = None) -> None:
         self.console = console
         self.engine = engine

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pylmp.kernels.exact import integrate, langevin, pushes
+from pylmp.kernels.exact import integrate, langevin, pushes, wrapping
 from pylmp.kernels.exact.neighbor import moved
 from pylmp.kernels.random import LAG, STEPS, RanMars, mars_row, room
 from pylmp.kernels.store import kernel
@@ -204,3 +204,34 @@ def test_langevin(everyone: bool, zero: bool, record: bool, biased: bool, each: 
     assert some.f.tobytes() == f.tobytes()
     assert not record or kept.tobytes() == push.tobytes()
     assert ours.uniform() == theirs.uniform()
+
+
+@settings(max_examples=80, deadline=None)
+@given(SOME, st.tuples(*[st.booleans()] * 3), st.booleans())
+def test_wrap(some: Some, periodic: tuple[bool, bool, bool], flows: bool) -> None:
+    """Against LAMMPS's pbc, atom by atom: one box length a side at most, never below the low face, flags in ten bits."""
+    lo, hi, rate = np.array([-0.9, 0.0, -1.5]), np.array([1.1, 1.0, 1.5]), np.arange(1.0, 7.0)
+    some.x[: some.n : 7] = lo - 1e-17  # one length up is on the high face, or beyond
+    some.x[3 : some.n : 9] *= 4.0
+    image = np.random.default_rng(some.seed).choice([-512, -1, 0, 511], (some.n, 3))
+    x, v, flags, group = some.x.copy(), some.v.copy(), image.copy(), BIT if flows else 0
+    moved_by = ([rate[0], 0.0, 0.0], [rate[5], rate[1], 0.0], [rate[4], rate[3], rate[2]])
+    for i, d in product(range(some.n), range(3)):
+        if not periodic[d]:
+            continue
+        for beyond, sign in ((x[i, d] < lo[d], 1), (None, -1)):
+            if x[i, d] >= hi[d] if beyond is None else beyond:
+                x[i, d] += sign * (hi[d] - lo[d])
+                if sign < 0:
+                    x[i, d] = max(x[i, d], lo[d])
+                flags[i, d] = (flags[i, d] - sign + 512) % 1024 - 512
+                if some.mask[i] & group:
+                    v[i, : d + 1] += sign * np.array(moved_by[d][: d + 1])
+    which = np.array(periodic, np.int64)
+    out = kernel(wrapping.outside()).bind(some.x, lo, hi, which, some.n)()
+    sides = ((some.x[: some.n] < lo) | (some.x[: some.n] >= hi)) & which.astype(bool)
+    assert out == sides.any(axis=1).sum()
+    kernel(wrapping.wrap()).bind(some.x, some.v, image, some.mask, lo, hi, which, rate, group, some.n)()
+    assert some.x.tobytes() == x.tobytes()
+    assert some.v.tobytes() == v.tobytes()
+    assert image.tobytes() == flags.tobytes()
