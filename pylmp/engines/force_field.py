@@ -89,7 +89,9 @@ class ForceField:
             if first and len(self.bonds) > 1 and listed.part.style.misplaces:
                 listed.misplace(sim, self.ghosts)
         check_bonded(sim)
-        self._held = atoms.x[: atoms.n].copy()
+        if len(self._held) != atoms.n:
+            self._held = np.zeros((atoms.n, 3))
+        self._held[:] = atoms.x[: atoms.n]
         self._held_box = sim.box.corners()
         self._bind(sim)
 

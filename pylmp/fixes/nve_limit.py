@@ -33,6 +33,7 @@ class NVELimit(Fix):
         self.farthest = args.number()
         self._count = 0
         self._first, self._second = (limited_kick(bit == 1, drift) for drift in (True, False))
+        self._kicks = np.zeros(sim.atom_types + 1)
         self._calls: tuple[Callable[[], float], ...] = ()
 
     def functions(self) -> list[Any]:
@@ -44,7 +45,7 @@ class NVELimit(Fix):
     def post_neighbor(self, sim: Simulation) -> None:
         atoms, types, speed = sim.atoms, sim.atom_types, self.farthest / sim.dt
         values = (
-            atoms.x, atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, np.zeros(types + 1), 0.5 * sim.dt * sim.units.ftm2v, sim.dt,
+            atoms.x, atoms.v, atoms.f, atoms.type, atoms.mask, sim.mass, self._kicks, 0.5 * sim.dt * sim.units.ftm2v, sim.dt,
             speed * speed, types, self.bit, atoms.n,
         )  # fmt: skip
         self._calls = tuple(kernel(function).bind(*values) for function in (self._first, self._second))

@@ -13,7 +13,7 @@ import types
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
-from weakref import WeakKeyDictionary, ref
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -38,7 +38,7 @@ class Kernel:
         self.owner, self.address = place(code)
         self._block = struct.Struct(f"={8 * HEAD}x" + "".join(_WORDS.get(kind, "Q") for kind in self.kinds))
         self._type = ctypes.c_char * self._block.size
-        self._last: Callable[[], partial[float] | None] = lambda: None
+        self.last: partial[float] | None = None  # the last bound call: most of what it knows is asked for again
         self._call = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p)(self.address)
 
     def bind(self, *values: Any) -> Callable[[], float]:
@@ -48,27 +48,31 @@ class Kernel:
         """
         if len(values) != len(self.kinds):
             raise TypeError(f"{self.name} takes {len(self.kinds)} arguments, not {len(values)}")
-        last = self._last()  # most arrays are those of the last time, whose addresses are known
+        last = self.last
         before, known = vars(last)["alive"][:2] if last else (self.kinds, self.kinds)
         words = [
             value if kind in _WORDS else word if value is old else self._address(kind, value)
             for kind, value, old, word in zip(self.kinds, values, before, known, strict=True)
         ]
+        if last and words == known:
+            return last
         try:
             block = self._type.from_buffer_copy(self._block.pack(*words))
         except struct.error as error:
             raise TypeError(f"{self.name}: {error}") from None
         bound = partial(self._call, ctypes.c_void_p(ctypes.addressof(block)))
-        vars(bound)["alive"] = values, words, block, self
-        self._last = ref(bound)
+        vars(bound)["alive"] = values, words, block, self.owner
+        self.last = bound
         return bound
 
     def _address(self, kind: str, value: Any) -> int:
         if not (isinstance(value, np.ndarray) and value.dtype == _ARRAYS[kind] and value.flags.c_contiguous):
             raise TypeError(f"{self.name} wants a contiguous {_ARRAYS[kind].__name__} array, not {value!r}")
+        if not value.size:
+            return 0
         try:
             return ctypes.addressof(ctypes.c_char.from_buffer(value))  # type: ignore[arg-type]
-        except (TypeError, ValueError):  # an array that may not be written to, or of no bytes: asked the slow way
+        except (TypeError, ValueError):  # an array that may not be written to: asked the slow way
             return int(value.ctypes.data)
 
 
@@ -78,6 +82,12 @@ def kernel(function: types.FunctionType) -> Kernel:
     if found is None:
         found = _new(function, key(function), *compile_all([function]))
     return found
+
+
+def release() -> None:
+    """Let go of the arrays that kernels were last bound to."""
+    for placed in _placed.values():
+        placed.last = None
 
 
 def prepare(functions: Sequence[types.FunctionType], say: Callable[[str], None]) -> None:

@@ -59,6 +59,7 @@ class Box:
         self.deforming = False  # a fix changes the box during the run
         self.rate = np.zeros(6)
         self.rate_group = 0
+        self._wraps = np.zeros(3, np.int64)
 
     @classmethod
     def of(cls, other: Box) -> Self:
@@ -202,8 +203,9 @@ class Box:
 
     def wrap(self, atoms: Atoms) -> None:
         """LAMMPS's pbc: periodic coordinates move by at most one box length a side, in place, in frame coordinates."""
+        self._wraps[:] = self.periodic
         kernel(_WRAP).bind(
-            atoms.x, atoms.v, atoms.image, atoms.mask, *self.frame, np.array(self.periodic, np.int64), self.rate, self.rate_group, atoms.n
+            atoms.x, atoms.v, atoms.image, atoms.mask, *self.frame, self._wraps, self.rate, self.rate_group, atoms.n
         )()
 
     def lost(self, atoms: Atoms) -> bool:

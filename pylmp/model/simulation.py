@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pylmp.kernels.store import release
 from pylmp.model.asking import Asking
 from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.model.atoms import MOST_TYPES, Atoms, check_count
@@ -72,6 +73,7 @@ class Simulation:
 
     def clear(self) -> None:
         """Back to the state before the first command (variables, log and directory stay)."""
+        release()
         self.units: Units = UNITS["lj"]
         self.dimension = 3
         self.boundary: tuple[tuple[str, str], ...] = (("p", "p"),) * 3
