@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 OK, WRONG, USAGE, UNSUPPORTED, INTERRUPTED = 0, 1, 2, 5, 130
 BANNER = "LAMMPS (22 Jul 2025 - Update 4)"  # what log readers look for: the release whose numbers these are
-ENGINES = ("auto", "exact", "lammps")
+ENGINES = ("auto", "exact", "fast", "lammps")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -139,6 +139,7 @@ class Session:
         if options.engine == "lammps":
             return self._on_lammps(path)
         from pylmp.engines.exact import Exact
+        from pylmp.engines.fast import Fast
         from pylmp.interpreter import Interpreter
         from pylmp.model.simulation import Simulation
 
@@ -147,7 +148,7 @@ class Session:
         except OSError as error:
             print(f"ERROR: {error}", file=sys.stderr)
             return WRONG
-        sim = Simulation(console, Exact())
+        sim = Simulation(console, Fast() if options.engine == "fast" else Exact())
         sim.strict = options.strict
         interpreter = Interpreter(sim, options.allow, options.max_commands)
         interpreter.echo = options.echo

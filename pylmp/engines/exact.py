@@ -62,11 +62,10 @@ class Run:
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
         self.timers = Timers(sim.timer.style == "full")
-        self.ghosts = Ghosts(sim)
         self.sorter = Sorter()
         self.breaks = sim.breaks = sim.breaks if isinstance(sim.breaks, Breaks) else Breaks()
         before = sim.bond_lists  # of an earlier run: they know what bonds remember since the last copy
-        self.forces = ForceField(sim, self.ghosts)
+        self.ghosts, self.forces = self._field(sim)
         self.occasional = Occasional(sim, self.forces.lists.whole if self.forces.lists else None)
         self.forces.prepare(sim, self.occasional.functions())
         for listed in before:
@@ -77,6 +76,12 @@ class Run:
         self._last: list[Any] = []
         self.builds = self.dangerous = self.ago = 0
         self.stop = False
+
+    @staticmethod
+    def _field(sim: Simulation) -> tuple[Any, Any]:
+        """The ghosts and the force field of this engine."""
+        ghosts = Ghosts(sim)
+        return ghosts, ForceField(sim, ghosts)
 
     # ---- set-up ---------------------------------------------------------------------------------------------
 

@@ -13,7 +13,7 @@ from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.exact.bond import bond_loop
 from pylmp.kernels.store import kernel, prepare
 from pylmp.model.asking import ENERGY, SHARED, VIRIAL, level_of, levels
-from pylmp.model.bondlist import BondList, Breaks
+from pylmp.model.bondlist import BondList, Breaks, store_reference
 from pylmp.model.lost import check_bonded
 from pylmp.model.pair_lists import PairLists
 
@@ -84,7 +84,7 @@ class ForceField:
         for listed in self.bonds:
             first = not listed.part.stored
             if first:
-                listed.store_reference(sim)
+                store_reference(sim, listed.part)
             listed.build(sim, self.ghosts, sim.lost_bonds != "error")
             if first and len(self.bonds) > 1 and listed.part.style.misplaces:
                 listed.misplace(sim, self.ghosts)

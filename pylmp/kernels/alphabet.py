@@ -1,4 +1,4 @@
-"""What the compiler knows of the laws' alphabet. Only ``compile.py`` imports this file.
+"""What the compiler knows of the laws' alphabet, for numbers and for vectors. Only ``compile.py`` imports this file.
 
 Overloads carry no annotations: numba compares their signature with the implementation's.
 """
@@ -16,10 +16,14 @@ from numba import types
 from numba.extending import intrinsic, overload
 
 from pylmp import laws
+from pylmp.kernels import simd
+from pylmp.kernels.simd import memory as memory  # teaches its words
+from pylmp.kernels.simd.emit import choose, lane, magnitude, root, with_lane
+from pylmp.kernels.simd.vector import Vector
 
-WORDS: frozenset[Callable[..., Any]] = frozenset(
-    {laws.select, laws.sqrt, laws.fabs, laws.exp, laws.log, laws.sin, laws.cos, laws.power, laws.whole}
-)
+WORDS: frozenset[Callable[..., Any]] = simd.WORDS | {
+    laws.select, laws.sqrt, laws.fabs, laws.exp, laws.log, laws.sin, laws.cos, laws.power, laws.whole,
+}  # fmt: skip
 
 
 @intrinsic
@@ -36,42 +40,66 @@ def _root_instruction(typing_context, x):
 
 @overload(laws.select)
 def _select(mask, a, b):
+    if isinstance(mask, Vector):
+        return lambda mask, a, b: choose(mask, a, b)
     return lambda mask, a, b: a if mask else b
 
 
 @overload(laws.sqrt)
 def _sqrt(x):
+    if isinstance(x, Vector):
+        return lambda x: root(x)
     return lambda x: _root_instruction(float(x))
 
 
 @overload(laws.fabs)
 def _fabs(x):
+    if isinstance(x, Vector):
+        return lambda x: magnitude(x)
     return lambda x: math.fabs(x)
 
 
-@overload(laws.exp)
-def _exp(x):
-    return lambda x: math.exp(float(x))
+def _of_c(word, function):
+    """A function of the C library: of a number, or of each lane in turn."""
+
+    @overload(word)
+    def chosen(x):
+        if not isinstance(x, Vector):
+            return lambda x: function(float(x))
+        lanes = x.lanes
+
+        def each(x):
+            result = x
+            for k in range(lanes):
+                result = with_lane(result, k, function(lane(x, k)))
+            return result
+
+        return each
 
 
-@overload(laws.log)
-def _log(x):
-    return lambda x: math.log(float(x))
-
-
-@overload(laws.sin)
-def _sin(x):
-    return lambda x: math.sin(float(x))
-
-
-@overload(laws.cos)
-def _cos(x):
-    return lambda x: math.cos(float(x))
+for _word, _function in ((laws.exp, math.exp), (laws.log, math.log), (laws.sin, math.sin), (laws.cos, math.cos)):
+    _of_c(_word, _function)
 
 
 @overload(laws.power)
 def _power(x, y):
-    return lambda x, y: math.pow(float(x), float(y))
+    if not isinstance(x, Vector):
+        return lambda x, y: math.pow(float(x), float(y))
+    lanes = x.lanes
+
+    def each(x, y):
+        result = x
+        for k in range(lanes):
+            result = with_lane(result, k, math.pow(lane(x, k), float(y)))
+        return result
+
+    def both(x, y):
+        result = x
+        for k in range(lanes):
+            result = with_lane(result, k, math.pow(lane(x, k), lane(y, k)))
+        return result
+
+    return both if isinstance(y, Vector) else each
 
 
 @overload(laws.whole)

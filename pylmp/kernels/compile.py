@@ -26,6 +26,7 @@ def compile_object(function: types.FunctionType) -> bytes:
 
     base = {
         "f8": numba_types.float64, "i8": numba_types.int64, "i4": numba_types.int32, "u1": numba_types.uint8,
+        "f4": numba_types.float32,
     }  # fmt: skip
     signature = tuple(
         numba_types.CPointer(base[kind[:-1]]) if kind.endswith("*") else base[kind] for kind in arguments(function)

@@ -24,7 +24,7 @@ from pylmp.kernels.load import place
 from pylmp.kernels.workers import compile_all
 
 _WORDS = {"f8": "d", "i8": "q"}  # of struct; arrays go in by their address
-_ARRAYS = {"f8*": np.float64, "i8*": np.int64, "i4*": np.int32, "u1*": np.uint8}
+_ARRAYS = {"f8*": np.float64, "i8*": np.int64, "i4*": np.int32, "u1*": np.uint8, "f4*": np.float32}
 _placed: dict[str, Kernel] = {}  # by content
 _made: WeakKeyDictionary[types.FunctionType, Kernel] = WeakKeyDictionary()  # by function: saves walking it again
 

@@ -115,17 +115,6 @@ class BondList(Listing):
         self.misplaced.copy_back(sim)
         self.misplaced = None
 
-    def store_reference(self, sim: Simulation) -> None:
-        """At the first evaluation ever: r0 of every slot is its length by minimum image, also of bonds of other styles."""
-        self.part.stored = True
-        rows, slots, partners = bond_pairs(sim, lambda kinds: kinds > 0)
-        keep = partners >= 0
-        rows, slots, partners = rows[keep], slots[keep], partners[keep]
-        x = sim.atoms.x
-        d = sim.box.minimum_image(x[rows] - x[partners])
-        sim.atoms.bond_history[rows, slots] = 0.0
-        sim.atoms.bond_history[rows, slots, 0] = np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2])
-
     def misplace(self, sim: Simulation, ghosts: Ghosts) -> None:
         """Under hybrid, LAMMPS keeps what bpm/spring/plastic stores at the first evaluation in the order of the style's own list, and takes it back
         at the next rebuild as if it were in the order of all bonds: entry n of all bonds gets what entry n of the style's list
@@ -133,6 +122,18 @@ class BondList(Listing):
         """
         self.misplaced = Listing(sim, np.ones(sim.bond_types + 1, np.uint8))
         self.misplaced.build(sim, ghosts)
+
+
+def store_reference(sim: Simulation, part: BondPart) -> None:
+    """At the first evaluation ever: r0 of every slot is its length by minimum image, also of bonds of other styles."""
+    part.stored = True
+    rows, slots, partners = bond_pairs(sim, lambda kinds: kinds > 0)
+    keep = partners >= 0
+    rows, slots, partners = rows[keep], slots[keep], partners[keep]
+    x = sim.atoms.x
+    d = sim.box.minimum_image(x[rows] - x[partners])
+    sim.atoms.bond_history[rows, slots] = 0.0
+    sim.atoms.bond_history[rows, slots, 0] = np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2])
 
 
 class Breaks:

@@ -1,0 +1,179 @@
+"""The fast engine: the same physics several times faster, by vectors of eight atoms and without ghosts.
+
+It keeps LAMMPS's atom order, its rebuild steps and its random streams, works in place on the atoms' arrays, and gives up one
+thing only: the order in which forces are added up. Fixes, computes and output are those of the exact engine. A run that needs
+something this engine lacks is carried out by the exact engine, and the log says why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from pylmp.engines.exact import Exact, Run
+from pylmp.engines.fast_forces import FastForces
+from pylmp.kernels.kinds import Function
+from pylmp.model.asking import SHARED, levels
+from pylmp.model.atoms import Ints
+from pylmp.model.engine import RunPlan, RunReport
+from pylmp.model.fix import hooks
+from pylmp.model.ghosts import ghost_cutoff
+from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
+from pylmp.model.minimize import MinPlan, MinReport
+from pylmp.model.scene import Scene
+from pylmp.model.simulation import Simulation
+
+
+def obstacles(sim: Simulation) -> list[str]:
+    """What of this simulation the fast engine lacks, in words; empty: it can run it."""
+    box, found = sim.box, []
+    if box.triclinic:
+        found.append("a triclinic box")
+    if any(fix.changes_box for fix in sim.fixes) or box.deforming:
+        found.append("a fix that changes the box")
+    if sim.neighbor.exclude:
+        found.append("neigh_modify exclude")
+    if sim.neighbor.style == "nsq":
+        found.append("neighbor nsq")
+    found += _pair_obstacles(sim) + _bond_obstacles(sim)
+    if any(compute.wish(sim) is not None for compute in sim.computes.values()):
+        found.append("a compute that needs a neighbor list")
+    if SHARED in levels(sim):
+        found.append("a compute of energy or stress per atom")
+    return found
+
+
+def _pair_obstacles(sim: Simulation) -> list[str]:
+    parts = sim.pair.working if sim.pair else []
+    found = []
+    if sim.pair and (len(sim.pair.parts) > 1 or sim.pair.hybrid):
+        found.append("several pair styles")
+    if any(part.style.data is not None or part.style.watch is not None for part in parts):
+        found.append(f"pair_style {parts[0].style.name}")
+    if parts and not parts[0].settings.compute:
+        found.append("pair_modify compute no")
+    if parts and sim.has_bonds and not {*sim.special.lj, *(parts[0].settings.lj or ())} <= {0.0, 1.0}:
+        found.append("special_bonds weights between 0 and 1")
+    reach = 2.0 * sim.neighbor_cutoff
+    if any(periodic and length < reach for periodic, length in zip(sim.box.periodic[: sim.dimension], sim.box.length, strict=False)):
+        found.append("a periodic box narrower than twice the neighbor cutoff")
+    return found
+
+
+def _bond_obstacles(sim: Simulation) -> list[str]:
+    parts = sim.bond.parts if sim.bond else []
+    if len(parts) > 1:
+        return ["several bond styles"]
+    style = parts[0].style if parts else None
+    if style is not None and (style.data is not None or style.watch is not None):
+        return [f"bond_style {style.name}"]
+    return []
+
+
+class Fast:
+    """Runs a simulation on vectors where it can, else as the exact engine does."""
+
+    name = "fast"
+
+    def __init__(self) -> None:
+        self._exact = Exact()
+
+    def run(self, sim: Simulation, scene: Scene, plan: RunPlan) -> RunReport:
+        if not plan.setup and isinstance(sim.lists, Run):
+            return self._exact.run(sim, scene, plan)
+        if lacking := obstacles(sim):
+            sim.console.both(f"Engine exact for this run: engine fast lacks {', '.join(lacking)}\n")
+            return self._exact.run(sim, scene, plan)
+        sim.lists = FastRun(sim)
+        sim.lists.setup()
+        report: RunReport = sim.lists.advance(plan.steps)
+        return report
+
+    def minimize(self, sim: Simulation, scene: Scene, plan: MinPlan) -> tuple[RunReport, MinReport]:
+        return self._exact.minimize(sim, scene, plan)
+
+    def replay(self, sim: Simulation, scene: Scene, frames: Iterator[None]) -> RunReport:
+        return self._exact.replay(sim, scene, frames)
+
+
+class NoGhosts:
+    """Periodic images are found from the positions themselves. first: row of each ID, for those who look for one."""
+
+    def __init__(self) -> None:
+        self.first: Ints = np.zeros(0, np.int64)
+
+    def functions(self) -> list[Function]:
+        return []
+
+
+class FastRun(Run):
+    """A run of the fast engine."""
+
+    forces: FastForces
+
+    @staticmethod
+    def _field(sim: Simulation) -> tuple[Any, Any]:
+        return NoGhosts(), FastForces(sim)
+
+    def renew(self) -> None:
+        """All lists are built anew where somebody has moved too far."""
+        if self._must_rebuild():
+            self._rebuild(setup=False)
+        else:
+            self.timers.stamp("Neigh")
+
+    def _forces(self, wanted: int, setup: bool) -> None:
+        sim, timers = self.sim, self.timers
+        wanted = self.forces.able(wanted)
+        if wanted:
+            sim.tally.step, sim.tally.wanted = sim.step, wanted
+        if setup:
+            for hook in hooks(sim.fixes, "setup_pre_force"):
+                hook(sim)
+        else:
+            self.call("pre_force")
+            timers.stamp("Modify")
+        self.forces.evaluate(sim, wanted, setup)
+        timers.stamp("Pair")
+
+    def _rebuild(self, setup: bool, sort: bool = True) -> None:
+        """Wrap, sort, lists. Bonds stay as they are laid out until atoms change places."""
+        sim, atoms = self.sim, self.sim.atoms
+        if not setup:
+            self.call("pre_exchange")
+        atoms.clear_ghosts()
+        sim.box.wrap(atoms)
+        sim.box.shrink(atoms)
+        x = atoms.x[: atoms.n]
+        leaving = not ((x >= sim.box.lo).all() and (x < sim.box.hi).all())
+        sorting = bool(sort and sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0)) and (setup or sim.step >= self.sorter.next)
+        if setup or leaving or sorting:
+            if not setup:
+                self.forces.copy_back(sim)
+            self.forces.moved_rows()
+        if leaving:
+            remove_lost(sim)
+        if sorting:
+            if setup:
+                self.sorter.lay_out(sim)
+            self.sorter.sort(sim)
+        self.timers.stamp("Comm")
+        if setup:
+            ghost_cutoff(sim)
+            warn_image_flags(sim)
+            if sort:
+                warn_small_box(sim)
+        self.forces.rebuild(sim)
+        self.ghosts.first = atoms.rows_by_tag() if setup or leaving or sorting else self.ghosts.first
+        self.occasional.forget()
+        self.ago = 0
+        self.builds += 1
+        self.call("post_neighbor")
+        self.timers.stamp("Neigh")
+
+    def advance(self, steps: int) -> RunReport:
+        report = super().advance(steps)
+        self.forces.copy_back(self.sim)
+        return report

@@ -1,0 +1,179 @@
+"""The bonds of the fast engine: eight atoms side by side, each bond at both of its ends."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pylmp.kernels.fast import blocks
+from pylmp.kernels.fast import bonds as loops
+from pylmp.kernels.fast.forces import BondTerm
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.simd import LANES
+from pylmp.kernels.store import kernel
+from pylmp.model.bond import bond_pairs
+from pylmp.text.diagnostic import ScriptError
+
+if TYPE_CHECKING:
+    from pylmp.model.atoms import Floats, Ints
+    from pylmp.model.bond import BondPart
+    from pylmp.model.pair import PairPart
+    from pylmp.model.simulation import Simulation
+
+
+class LeftOut:
+    """Rows that are no neighbors of a row, because bonds join them: rows[first[i]:first[i + 1]] of row i."""
+
+    def __init__(self) -> None:
+        self.first = np.zeros(1, np.int64)
+        self.rows = np.zeros(1, np.int32)
+
+    def build(self, sim: Simulation, by_tag: Ints) -> None:
+        atoms, n = sim.atoms, sim.atoms.n
+        place = np.arange(atoms.max_special)
+        ends = atoms.num_special[:n]
+        kind = (place >= ends[:, :1]).astype(np.int64) + (place >= ends[:, 1:2])
+        taken = (place < ends[:, 2:]) & (np.append(sim.special.lj, 1.0)[kind] == 0.0)
+        rows, columns = np.nonzero(taken)
+        partner = atoms.special[rows, columns]
+        known = partner < len(by_tag)
+        other = np.where(known, by_tag[np.where(known, partner, 0)], -1)
+        other = np.where(other < 0, rows, other)  # nobody is a neighbor of himself anyway
+        self.first = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=n))]).astype(np.int64)
+        self.rows = np.append(other, 0).astype(np.int32)
+
+
+class FastBonds:
+    """Slots of bonds, at first[b] + 8 k + lane: entry k of a row of block b.
+
+    depth (blocks,) int32; to (slots,) int32: 3 x the other row; kind: type, 0 none, below 0 broken since the last list; owner: the row, -1
+    nobody's. memories (memory x slots). fresh, misplaced: as of the exact engine's lists.
+    """
+
+    misplaced = None
+
+    def __init__(self, sim: Simulation, part: BondPart) -> None:
+        self.part = part
+        self.memory = part.memory
+        self.fresh = False
+        self.slots = 0
+        self.left_out = LeftOut()
+        self._back = loops.copy_back(self.memory)
+        zero = part.style.on_break == "zero"
+        self._book = loops.booking(zero, self.memory, part.shifts, part.updates_special)
+        self._clear = loops.clearing()
+        self._allocate(0, 0)
+
+    def functions(self) -> list[Function]:
+        return [self._back, self._book, self._clear]
+
+    def term(self, sim: Simulation, pair: PairPart | None) -> BondTerm:
+        part, style = self.part, self.part.style
+        return BondTerm(
+            part.law, part.table.shape[1], part.memory, style.velocity, sim.bond_types == 1, style.reference, part.can_break,
+            part.updates_special and pair is not None, pair.alone if style.subtract_pair and pair is not None else None,
+        )  # fmt: skip
+
+    def _allocate(self, slots: int, count: int) -> None:
+        self.slots = slots
+        room = slots + LANES
+        self.to, self.kind, self.broken = (np.zeros(room, np.int32) for _ in range(3))
+        self.owner = np.full(room, -1, np.int32)
+        self.memories = np.zeros(max(1, self.memory) * slots + LANES)
+        self.first, self.depth = np.zeros(count + 1, np.int64), np.zeros(count + 1, np.int32)
+
+    def build(self, sim: Simulation) -> None:
+        """New slots, from what the atoms store. Raises ScriptError where a partner is nowhere."""
+        atoms, n = sim.atoms, sim.atoms.n
+        by_tag = atoms.rows_by_tag()
+        self.left_out.build(sim, by_tag)
+        rows, slots, partners = bond_pairs(sim, lambda kinds: (kinds > 0) & (self.part.mine[np.maximum(kinds, 0)] != 0))
+        if (partners < 0).any():
+            at = int(np.argmax(partners < 0))
+            tag, partner = int(atoms.tag[rows[at]]), int(atoms.bond_atom[rows[at], slots[at]])
+            if sim.lost_bonds == "error":
+                raise ScriptError(
+                    f"Bond atoms {tag} {partner} missing on proc 0 at step {sim.step}",
+                    hint="an atom was lost: a smaller timestep, or a boundary that keeps it", manual="Errors_details.html",
+                )  # fmt: skip
+            rows, slots, partners = (array[partners >= 0] for array in (rows, slots, partners))
+        kinds, history = atoms.bond_type[rows, slots], atoms.bond_history[rows, slots]
+        if sim.newton_bond:  # stored at one end
+            rows, partners = np.concatenate([rows, partners]), np.concatenate([partners, rows])
+            kinds, history = np.concatenate([kinds, kinds]), np.concatenate([history, history])
+        self._lay_out(n, rows, partners, kinds, history)
+        self.fresh = True
+
+    def _lay_out(self, n: int, rows: Ints, partners: Ints, kinds: Ints, history: Floats) -> None:
+        count = blocks(n)
+        held = np.bincount(rows, minlength=LANES * count)
+        depth = held.reshape(count, LANES).max(axis=1) if count else np.zeros(0, np.int64)
+        first = np.concatenate([[0], np.cumsum(LANES * depth)])
+        self._allocate(int(first[-1]), count)
+        self.first[:], self.depth[:count] = first, depth
+        order = np.argsort(rows, kind="stable")
+        rows = rows[order]
+        nth = np.arange(len(rows)) - np.repeat(np.cumsum(held) - held, held)
+        at = first[rows // LANES] + LANES * nth + rows % LANES
+        self.to[:] = 3 * n
+        self.to[at], self.kind[at], self.owner[at] = 3 * partners[order], kinds[order], rows
+        for k in range(self.memory):
+            self.memories[k * self.slots : (k + 1) * self.slots] = 1.0
+            self.memories[k * self.slots + at] = history[order, k]
+
+    def copy_back(self, sim: Simulation) -> None:
+        """What bonds remember, to the slots of the atoms that store them."""
+        atoms = sim.atoms
+        if self.memory and self.slots:
+            kernel(self._back).bind(
+                atoms.tag, atoms.num_bond, atoms.bond_atom, atoms.bond_history, atoms.bond_per_atom, self.owner, self.to, self.kind,
+                self.memories, self.slots,
+            )()  # fmt: skip
+
+    def forget_broken(self) -> None:
+        """A new list has the atoms of broken bonds."""
+        if self.part.updates_special:
+            kernel(self._clear).bind(self.kind, self.slots)()
+
+    def book(self, sim: Simulation, count: int) -> None:
+        """Bookkeeping for count slots of broken, one at each end of a bond."""
+        atoms, part = sim.atoms, self.part
+        if part.recorder is not None:
+            self._record(sim, self.broken[:count])
+        gone = kernel(self._book).bind(
+            self.broken, count, self.owner, self.to, atoms.tag, atoms.num_bond, atoms.bond_type, atoms.bond_atom, atoms.bond_history,
+            atoms.bond_per_atom, atoms.num_special, atoms.special, atoms.max_special, self.left_out.first, self.left_out.rows,
+        )()  # fmt: skip
+        if part.style.on_break != "zero":
+            sim.bonds -= int(gone)
+
+    def _record(self, sim: Simulation, broken: NDArray[np.int32]) -> None:
+        for p in broken:
+            i, j = int(self.owner[p]), int(self.to[p]) // 3
+            if i < j:
+                i, j = (i, j) if sim.atoms.tag[i] < sim.atoms.tag[j] else (j, i)
+                self.part.recorder.record(sim, i, j)
+
+    # ---- as the exact engine's lists show themselves: each bond once ------------------------------------------------
+
+    @property
+    def _once(self) -> Ints:
+        """Slots of bonds that hold, those at the lower row."""
+        owner, to = self.owner[: self.slots], self.to[: self.slots] // 3
+        return np.flatnonzero((self.kind[: self.slots] > 0) & (owner < to))
+
+    @property
+    def count(self) -> int:
+        return len(self._once)
+
+    @property
+    def bonds(self) -> Ints:
+        """(count, 3) rows of both ends, type."""
+        at = self._once
+        return np.stack([self.owner[at], self.to[at] // 3, self.kind[at]], axis=1).astype(np.int64)
+
+    @property
+    def history(self) -> Floats:
+        return self.memories[: self.memory * self.slots].reshape(self.memory, self.slots)[:, self._once].T

@@ -1,0 +1,133 @@
+"""The force field of a fast run: one kernel for pairs and bonds, over eight atoms at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pylmp.engines.fast_bonds import FastBonds
+from pylmp.engines.fast_list import FullList
+from pylmp.kernels.exact import neighbor as neighbor_loops
+from pylmp.kernels.fast import FAR, blocks
+from pylmp.kernels.fast.forces import TALLIES, PairTerm, force_loop
+from pylmp.kernels.simd import LANES
+from pylmp.kernels.store import kernel, prepare
+from pylmp.model.asking import ENERGY, VIRIAL
+from pylmp.model.bondlist import store_reference
+from pylmp.model.lost import check_bonded
+
+if TYPE_CHECKING:
+    from pylmp.kernels.kinds import Function
+    from pylmp.model.simulation import Simulation
+
+Call = Callable[[], float]
+
+
+class FastForces:
+    """Kernels with and without tallies, bound to the arrays of the atoms.
+
+    bonds: the listing of the bond style, in a list as the exact engine has them; lists: the neighbor list, None without a pair law
+    """
+
+    def __init__(self, sim: Simulation) -> None:
+        parts = sim.pair.working if sim.pair else []
+        self.pair = parts[0] if parts and parts[0].settings.compute else None
+        self.bonds = [FastBonds(sim, part) for part in (sim.bond.parts if sim.bond else [])]
+        self.lists = FullList(sim) if self.pair is not None and sim.neighbor_cutoff > 0.0 else None
+        term = PairTerm(self.pair.law, self.pair.width, self.pair.style.velocity, sim.atom_types == 1) if self.pair else None
+        bond = self.bonds[0].term(sim, self.pair) if self.bonds else None
+        self._kernels = [force_loop(term, bond, sim.box.periodic, tally) for tally in (False, True)]
+        self._moved = neighbor_loops.moved()
+        self._calls: dict[tuple[bool, bool], Call] = {}
+        self._moved_call: Call = lambda: 0.0
+        self._sums = np.zeros(TALLIES)
+        self._kinds = np.zeros(0, np.int32)
+        self._held = np.zeros((0, 3))
+        self._rows: np.ndarray[tuple[int], np.dtype[np.int64]] | None = None  # IDs of the rows that the bonds were laid out for
+
+    def prepare(self, sim: Simulation, more: list[Function]) -> None:
+        """Compile what the store does not have, all at once, more included."""
+        functions = [*self._kernels, self._moved, *more]
+        for listed in self.bonds:
+            functions += listed.functions()
+        if self.lists is not None:
+            functions += self.lists.functions()
+        for fix in sim.fixes:
+            functions += fix.functions()
+        prepare(functions, sim.console.screen)
+
+    def copy_back(self, sim: Simulation) -> None:
+        for listed in self.bonds:
+            listed.copy_back(sim)
+
+    def moved_rows(self) -> None:
+        """Atoms have changed places, or some are gone."""
+        self._rows = None
+
+    def rebuild(self, sim: Simulation) -> None:
+        """A new neighbor list; bind the kernels to the arrays as they now are."""
+        atoms, n = sim.atoms, sim.atoms.n
+        atoms.reserve(n + 2 * LANES)
+        atoms.x[n : n + 2 * LANES] = FAR  # rows that pad
+        atoms.v[n : n + 2 * LANES] = 0.0
+        if self._rows is None:
+            self._rows = atoms.tag[:n].copy()
+            self._kinds = np.ones(3 * atoms.capacity, np.int32)
+            self._kinds[: 3 * n : 3] = atoms.type[:n]
+            for listed in self.bonds:
+                if not listed.part.stored:
+                    store_reference(sim, listed.part)
+                listed.build(sim)
+        else:
+            for listed in self.bonds:
+                listed.forget_broken()
+        if self.lists is not None:
+            self.lists.build(sim, self.bonds[0].left_out if self.bonds else None)
+        check_bonded(sim)
+        self._held = atoms.x[:n].copy()
+        self._bind(sim)
+
+    def _bind(self, sim: Simulation) -> None:
+        atoms = sim.atoms
+        lists, bonds = self.lists, self.bonds[0] if self.bonds else None
+        whole, small, tiny = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)
+        table = self.pair.table if self.pair else np.zeros((2, 2, 1))
+        listing = (lists.first, lists.depth, lists.edges, lists.neighbors) if lists else (whole, small, tiny, small)
+        listed = (
+            (bonds.first, bonds.depth, bonds.to, bonds.kind, bonds.memories, bonds.slots, bonds.part.table)
+            if bonds
+            else (whole, small, small, small, np.zeros(1), 0, np.zeros((2, 1)))
+        )
+        self._calls = {
+            (tally, may_break): kernel(self._kernels[tally]).bind(
+                atoms.x, atoms.v, atoms.f, self._kinds, *listing, table, len(table), *listed, sim.box.length, self._sums,
+                bonds.broken if bonds else small, int(may_break), 0, blocks(atoms.n),
+            )
+            for tally in (False, True)
+            for may_break in (False, True)
+        }  # fmt: skip
+        skin = sim.neighbor.skin
+        self._moved_call = kernel(self._moved).bind(atoms.x, self._held, 0.25 * skin * skin, atoms.n)
+
+    # ---- every step -------------------------------------------------------------------------------------------
+
+    def able(self, wanted: int) -> int:
+        return wanted & (ENERGY | VIRIAL)
+
+    def evaluate(self, sim: Simulation, wanted: int, setup: bool) -> None:
+        """Forces, and what is wanted besides; then what breaks is booked."""
+        may_break = bool(self.bonds) and (not setup or self.bonds[0].part.style.breaks_in_setup)
+        broken = int(self._calls[bool(wanted), may_break]())
+        if wanted:
+            sums = self._sums.tolist()
+            sim.tally.pair, sim.tally.bond = sums[0] + sums[2], sums[1]
+            sim.tally.pair_virial[:] = sums[3:9]
+            sim.tally.bond_virial[:] = sums[9:]
+        if broken:
+            self.bonds[0].book(sim, broken)
+
+    def anybody_moved(self, sim: Simulation) -> bool:
+        """Has an atom moved more than half the skin since the last build?"""
+        return self._moved_call() != 0.0

@@ -1,0 +1,129 @@
+"""The full neighbor list of the fast engine."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pylmp.kernels.fast import blocks
+from pylmp.kernels.fast import neighbor as loops
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.simd import LANES, WIDE
+from pylmp.kernels.store import kernel
+from pylmp.text.diagnostic import ScriptError
+
+if TYPE_CHECKING:
+    from pylmp.engines.fast_bonds import LeftOut
+    from pylmp.model.simulation import Simulation
+
+_SINGLE = 2.0**-20  # of the box length: more than single precision and the shift of images lose
+
+
+class FullList:
+    """neighbors int32, at first[b] + 8 k + lane: entry k of a row of block b, times 3. depth, edges (blocks,) (kernels/fast/neighbor.py)."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self.cutoff = float(sim.pair.cut.max()) + sim.neighbor.skin
+        self._flat = sim.dimension == 2
+        self._excluding = sim.has_bonds and 0.0 in sim.special.lj
+        self._sort = loops.sorting()
+        self._list = loops.listing(sim.box.periodic, self._flat, self._excluding)
+        self._weave = loops.weaving()
+        self._width, self._room = 3 * WIDE, 1024
+        self.first, self.depth, self.edges = np.zeros(0, np.int64), np.zeros(0, np.int32), np.zeros(0, np.uint8)
+        self.neighbors = np.zeros(1024, np.int32)
+        self._found, self._edge = np.zeros(0, np.int32), np.zeros(0, np.uint8)
+        self._listed = np.zeros(0, np.int32)
+        self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]
+        self._candidate_rows = np.zeros(self._room, np.int32)
+        self.count = 0
+
+    def functions(self) -> list[Function]:
+        return [self._sort, self._list, self._weave]
+
+    @property
+    def half(self) -> int:
+        """Entries that the log reports: each pair once."""
+        return self.count // 2
+
+    full = whole = None  # a list that computes could look at: none
+
+    def build(self, sim: Simulation, left_out: LeftOut | None) -> None:
+        """List the neighbors of all atoms. Raises ScriptError where a position is not a number, or too many are too close."""
+        atoms, n = sim.atoms, sim.atoms.n
+        corner, lengths, counts = self._grid(sim)
+        self._fit(n, int(counts.prod()))
+        cells = kernel(self._sort).bind(
+            atoms.x, corner, counts / lengths, counts, self._cell, self._start, self._order, *self._near, n,
+        )()  # fmt: skip
+        if cells < 0.0:
+            raise ScriptError("Non-numeric atom coords - simulation unstable", hint="a smaller timestep, or forces that do not diverge")
+        margin = self.cutoff + _SINGLE * float(lengths.max())
+        nothing = np.zeros(1, np.int64), np.zeros(1, np.int32)
+        excluded = (left_out.first, left_out.rows) if self._excluding and left_out else nothing
+        self._stamp.fill(-1)
+        while True:
+            most = kernel(self._list).bind(
+                self._start, self._order, *self._near, counts, sim.box.length, margin * margin, *self._candidates, self._candidate_rows,
+                self._room, *excluded, self._stamp, self._found, self._edge, self._listed, self._width,
+            )()  # fmt: skip
+            if most >= 0.0 or self._width > sim.neighbor.one + WIDE:
+                break
+            self._more(n, most == loops.WIDTH)
+        if not 0.0 <= most <= sim.neighbor.one:
+            raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
+        while True:
+            entries = kernel(self._weave).bind(
+                self._listed, self._width, self._found, self._edge, self.first, self.depth, self.edges, self.neighbors,
+                len(self.neighbors), n, blocks(n),
+            )()  # fmt: skip
+            if entries != loops.ROOM:
+                break
+            self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
+        self.count = int(self._found[:n].sum())
+
+    def _grid(self, sim: Simulation):  # type: ignore[no-untyped-def]
+        """Corner, lengths and counts of cells no smaller than the cutoff and not many more than atoms."""
+        box, x = sim.box, sim.atoms.x[: sim.atoms.n]
+        low, high = box.lo.copy(), box.hi.copy()
+        if len(x) and not all(box.periodic):
+            least, most = x.min(axis=0), x.max(axis=0)
+            for d, periodic in enumerate(box.periodic):
+                if not periodic and least[d] <= most[d]:
+                    low[d], high[d] = least[d], most[d]
+        lengths = np.maximum(high - low, 1.0e-6 * self.cutoff)
+        counts = np.maximum((lengths / self.cutoff).astype(np.int64), 1)
+        if self._flat:
+            counts[2] = 1
+        most_cells = 4 * len(x) + 64
+        while counts.prod() > most_cells:
+            widest = int(np.argmax(counts))
+            counts[widest] = max(1, counts[widest] // 2)
+        return low, lengths, counts
+
+    def _fit(self, n: int, cells: int) -> None:
+        rows = LANES * blocks(n)
+        if len(self._found) < rows or len(self.first) < blocks(n):
+            self._found, self._edge = np.zeros(rows, np.int32), np.zeros(rows, np.uint8)
+            self.first, self.depth, self.edges = np.zeros(blocks(n), np.int64), np.zeros(blocks(n), np.int32), np.zeros(blocks(n), np.uint8)
+            self._cell, self._order = np.zeros(n + WIDE, np.int32), np.zeros(n + WIDE, np.int32)
+            self._near = [np.zeros(n + WIDE, np.float32) for _ in range(3)]
+            self._stamp = np.full(n + WIDE, -1, np.int32)
+            self._listed = np.zeros(self._width * rows, np.int32)
+            self._start = np.zeros(0, np.int32)
+        self._found[n:] = 0
+        self._edge[n:] = 0
+        if len(self._start) < cells + 2:
+            self._start = np.zeros(cells + 2, np.int32)
+
+    def _more(self, n: int, wider: bool) -> None:
+        """Room for more neighbors of a row, or for more candidates of a cell."""
+        self._stamp.fill(-1)
+        if wider:
+            self._width += self._width // 2
+            self._listed = np.zeros(self._width * LANES * blocks(n), np.int32)
+            return
+        self._room *= 2
+        self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]
+        self._candidate_rows = np.zeros(self._room, np.int32)

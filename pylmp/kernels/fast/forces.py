@@ -1,0 +1,275 @@
+"""Forces of a block of eight atoms: its neighbors, its bonds, one law evaluated in eight lanes at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from pylmp.kernels.exact import row
+from pylmp.kernels.fast import columns, places, recalling, remembering
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.simd import (
+    LANES,
+    compress,
+    count_up,
+    gather,
+    gather_rows,
+    load,
+    scatter,
+    some,
+    splat,
+    splat_whole,
+    store,
+    total,
+)  # fmt: skip
+from pylmp.laws import select, sqrt
+
+TALLIES = 15  # pair energy, bond energy, pair energy that bonds take out, virials of pairs and of bonds: xx yy zz xy xz yz
+
+
+@dataclass(frozen=True)
+class PairTerm:
+    """law(r2, dot, factor, c) -> (force over r, energy), c of width numbers. one_type: they are the same for all."""
+
+    law: Function
+    width: int
+    velocity: bool
+    one_type: bool
+
+
+@dataclass(frozen=True)
+class BondTerm:
+    """law(r2, dot, history, c) -> (force over r, energy, history, alive).
+
+    memory      numbers a bond remembers; reference: the first is the length at the first evaluation
+    can_break   the law may say that a bond is not alive
+    instead     a broken bond's atoms interact as a pair from the next step on
+    alone       the pair law that acts no longer between bonded atoms, or None: it is taken out again
+    """
+
+    law: Function
+    width: int
+    memory: int
+    velocity: bool
+    one_type: bool
+    reference: bool
+    can_break: bool
+    instead: bool
+    alone: Function
+
+
+def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[bool, bool, bool], tally: bool) -> Function:
+    """Compose the kernel of one scene."""
+    px, py, pz = periodic
+    paired, bonded = pair is not None, bond is not None
+    pair = pair or PairTerm(None, 0, False, True)
+    bond = bond or BondTerm(None, 0, 0, False, True, False, False, False, None)
+    pair_law, pair_width, pair_velocity, one_type = pair.law, pair.width, pair.velocity, pair.one_type
+    bond_law, memory, one_bond_type, can_break, instead = bond.law, bond.memory, bond.one_type, bond.can_break, bond.instead
+    bond_velocity, reference, subtract, alone = bond.velocity, bond.reference, bond.alone is not None, bond.alone
+    bond_width = bond.width
+    moving = pair_velocity or bond_velocity
+    pair_row, pair_columns = row(pair_width), columns(pair_width)
+    bond_row, bond_columns = row(bond_width), columns(bond_width)
+    recall, remember = recalling(memory), remembering(memory)
+    kinds_needed = (paired and not one_type) or subtract
+
+    def fold(d: Any, length: float) -> Any:
+        """The nearest periodic image."""
+        d = select(d > 0.5 * length, d - length, d)
+        return select(d < -0.5 * length, d + length, d)
+
+    def forces(
+        x: "f8*", v: "f8*", f: "f8*", kinds: "i4*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", table: "f8*",
+        types: "i8", bond_first: "i8*", bond_depth: "i4*", bond_to: "i4*", bond_kind: "i4*", history: "f8*", slots: "i8",
+        bond_table: "f8*", lengths: "f8*", sums: "f8*", broken: "i4*", may_break: "i8",
+        begin: "i8", end: "i8",
+    ) -> "f8":
+        """Set f in the rows of blocks begin to end; sums (TALLIES,) is set when tallying.
+
+        kinds: types of atoms, kinds[3 i] of row i. bond_kind: type of each slot, 0 none, below 0 broken since the last list. broken:
+        slots of bonds that broke, one at each end. Returns how many.
+        """
+        lx = lengths[0]
+        ly = lengths[1]
+        lz = lengths[2]
+        breaks = 0
+        pe = splat(0.0, LANES)
+        be = splat(0.0, LANES)
+        te = splat(0.0, LANES)
+        pxx = splat(0.0, LANES)
+        pyy = splat(0.0, LANES)
+        pzz = splat(0.0, LANES)
+        pxy = splat(0.0, LANES)
+        pxz = splat(0.0, LANES)
+        pyz = splat(0.0, LANES)
+        bxx = splat(0.0, LANES)
+        byy = splat(0.0, LANES)
+        bzz = splat(0.0, LANES)
+        bxy = splat(0.0, LANES)
+        bxz = splat(0.0, LANES)
+        byz = splat(0.0, LANES)
+        c = pair_row(table, (types + 1) * pair_width)
+        bc = bond_row(bond_table, bond_width)
+        for b in range(begin, end):
+            i = places(b)
+            xi, yi, zi = gather_rows(x, i)
+            fx = splat(0.0, LANES)
+            fy = splat(0.0, LANES)
+            fz = splat(0.0, LANES)
+            ui = splat(0.0, LANES)
+            vi = splat(0.0, LANES)
+            wi = splat(0.0, LANES)
+            if moving:
+                ui, vi, wi = gather_rows(v, i)
+            ti = splat_whole(0, LANES)
+            if kinds_needed:
+                ti = gather(kinds, i, 0)
+            if paired:
+                image_x = edges[b] & 1 != 0
+                image_y = edges[b] & 2 != 0
+                image_z = edges[b] & 4 != 0
+                for k in range(first[b], first[b] + LANES * depth[b], LANES):
+                    j = load(neighbors, k, LANES)
+                    xj, yj, zj = gather_rows(x, j)
+                    dx = xi - xj
+                    dy = yi - yj
+                    dz = zi - zj
+                    if px:
+                        if image_x:
+                            dx = fold(dx, lx)
+                    if py:
+                        if image_y:
+                            dy = fold(dy, ly)
+                    if pz:
+                        if image_z:
+                            dz = fold(dz, lz)
+                    r2 = dx * dx + dy * dy + dz * dz
+                    dot = splat(0.0, LANES)
+                    if pair_velocity:
+                        uj, vj, wj = gather_rows(v, j)
+                        dot = dx * (ui - uj) + dy * (vi - vj) + dz * (wi - wj)
+                    if one_type:
+                        force, e = pair_law(r2, dot, 1.0, c)
+                    else:
+                        at = (ti * types + gather(kinds, j, 0)) * pair_width
+                        force, e = pair_law(r2, dot, 1.0, pair_columns(table, at))
+                    gx = dx * force
+                    gy = dy * force
+                    gz = dz * force
+                    fx = fx + gx
+                    fy = fy + gy
+                    fz = fz + gz
+                    if tally:
+                        pe = pe + e
+                        pxx = pxx + dx * gx
+                        pyy = pyy + dy * gy
+                        pzz = pzz + dz * gz
+                        pxy = pxy + dx * gy
+                        pxz = pxz + dx * gz
+                        pyz = pyz + dy * gz
+            if bonded:
+                for k in range(bond_first[b], bond_first[b] + LANES * bond_depth[b], LANES):
+                    kind = load(bond_kind, k, LANES)
+                    j = load(bond_to, k, LANES)
+                    xj, yj, zj = gather_rows(x, j)
+                    dx = xi - xj
+                    dy = yi - yj
+                    dz = zi - zj
+                    if px:
+                        dx = fold(dx, lx)
+                    if py:
+                        dy = fold(dy, ly)
+                    if pz:
+                        dz = fold(dz, lz)
+                    r2 = dx * dx + dy * dy + dz * dz
+                    dot = splat(0.0, LANES)
+                    if moving:
+                        uj, vj, wj = gather_rows(v, j)
+                        dot = dx * (ui - uj) + dy * (vi - vj) + dz * (wi - wj)
+                    active = kind > 0
+                    if reference:
+                        new = active & (load(history, k, LANES) < 1.0e-10)
+                        if some(new):
+                            store(history, k, select(new, sqrt(r2), load(history, k, LANES)))
+                            for m in range(1, memory):
+                                store(history, m * slots + k, select(new, 0.0, load(history, m * slots + k, LANES)))
+                    if one_bond_type:
+                        force, e, remembered, alive = bond_law(r2, dot, recall(history, k, slots), bc)
+                    else:
+                        at = select(active, kind, splat_whole(1, LANES)) * bond_width
+                        force, e, remembered, alive = bond_law(r2, dot, recall(history, k, slots), bond_columns(bond_table, at))
+                    if can_break:
+                        if may_break != 0:
+                            gone = active & ~alive
+                            if some(gone):
+                                breaks += compress(broken, breaks, count_up(k, LANES), gone)
+                                store(bond_kind, k, select(gone, -kind if instead else splat_whole(0, LANES), kind))
+                                active = active & alive
+                    if memory > 0:
+                        remember(history, k, slots, remembered, active)
+                    force = select(active, force, 0.0)
+                    if tally:
+                        be = be + select(active, e, 0.0)
+                        bxx = bxx + dx * dx * force
+                        byy = byy + dy * dy * force
+                        bzz = bzz + dz * dz * force
+                        bxy = bxy + dx * dy * force
+                        bxz = bxz + dx * dz * force
+                        byz = byz + dy * dz * force
+                    other = splat(0.0, LANES)
+                    if subtract:
+                        if one_type:
+                            other, e = alone(r2, dot, 1.0, c)
+                        else:
+                            at = (ti * types + gather(kinds, j, 0)) * pair_width
+                            other, e = alone(r2, dot, 1.0, pair_columns(table, at))
+                        other = select(active, -other, 0.0)
+                        e = select(active, -e, 0.0)
+                        if tally:
+                            te = te + e
+                    if instead:
+                        before = kind < 0
+                        if some(before):
+                            if one_type:
+                                other, e = pair_law(r2, dot, 1.0, c)
+                            else:
+                                at = (ti * types + gather(kinds, j, 0)) * pair_width
+                                other, e = pair_law(r2, dot, 1.0, pair_columns(table, at))
+                            other = select(before, other, 0.0)
+                            if tally:
+                                pe = pe + select(before, e, 0.0)
+                    if subtract or instead:
+                        if tally:
+                            pxx = pxx + dx * dx * other
+                            pyy = pyy + dy * dy * other
+                            pzz = pzz + dz * dz * other
+                            pxy = pxy + dx * dy * other
+                            pxz = pxz + dx * dz * other
+                            pyz = pyz + dy * dz * other
+                        force = force + other
+                    fx = fx + dx * force
+                    fy = fy + dy * force
+                    fz = fz + dz * force
+            scatter(f, i, 0, fx)
+            scatter(f, i, 1, fy)
+            scatter(f, i, 2, fz)
+        if tally:  # each pair was met at both ends
+            sums[0] = 0.5 * total(pe)
+            sums[1] = 0.5 * total(be)
+            sums[2] = 0.5 * total(te)
+            sums[3] = 0.5 * total(pxx)
+            sums[4] = 0.5 * total(pyy)
+            sums[5] = 0.5 * total(pzz)
+            sums[6] = 0.5 * total(pxy)
+            sums[7] = 0.5 * total(pxz)
+            sums[8] = 0.5 * total(pyz)
+            sums[9] = 0.5 * total(bxx)
+            sums[10] = 0.5 * total(byy)
+            sums[11] = 0.5 * total(bzz)
+            sums[12] = 0.5 * total(bxy)
+            sums[13] = 0.5 * total(bxz)
+            sums[14] = 0.5 * total(byz)
+        return float(breaks)
+
+    return forces

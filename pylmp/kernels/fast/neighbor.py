@@ -1,0 +1,197 @@
+"""The full neighbor list: atoms counted into cells, each cell compared with the cells around it.
+
+Distances are compared in single precision with a margin, so that the list holds every pair within the cutoff and a few
+beyond it; the force kernel asks again. A cell collects the atoms around it once, periodic images shifted, and then each of
+its atoms is compared with sixteen of them at a time.
+"""
+
+from __future__ import annotations
+
+from pylmp.kernels.fast import FAR
+from pylmp.kernels.kinds import Function
+from pylmp.kernels.simd import LANES, WIDE, compress, count_up, gather, load, splat_single, splat_whole, store
+from pylmp.laws import select
+
+ROOM, WIDTH = -1.0, -2.0  # not enough room, rows that are too narrow: the caller makes more and asks again
+
+
+def sorting() -> Function:
+    def into_cells(
+        x: "f8*", corner: "f8*", inverse: "f8*", counts: "i8*", cell: "i4*", start: "i4*", order: "i4*",
+        near_x: "f4*", near_y: "f4*", near_z: "f4*", n: "i8",
+    ) -> "f8":
+        """Count atoms into cells. start[c] .. start[c + 1]: places of cell c; order[p]: row at place p; near: its position from corner.
+
+        start has room for the cells and two more. Returns 0.0, or -1.0 - row of an atom whose position is not a number.
+        """
+        cells = counts[0] * counts[1] * counts[2]
+        for c in range(cells + 2):
+            start[c] = 0
+        for i in range(n):
+            dx = x[3 * i] - corner[0]
+            dy = x[3 * i + 1] - corner[1]
+            dz = x[3 * i + 2] - corner[2]
+            if not dx * dx + dy * dy + dz * dz < FAR * FAR:
+                return -1.0 - i
+            cx = min(max(int(dx * inverse[0]), 0), counts[0] - 1)
+            cy = min(max(int(dy * inverse[1]), 0), counts[1] - 1)
+            cz = min(max(int(dz * inverse[2]), 0), counts[2] - 1)
+            c = (cz * counts[1] + cy) * counts[0] + cx
+            cell[i] = c
+            start[c + 2] += 1
+        for c in range(cells):
+            start[c + 2] += start[c + 1]
+        for i in range(n):  # start[c + 1] walks from the first place of cell c to that of the next
+            c = int(cell[i]) + 1
+            p = start[c]
+            start[c] = p + 1
+            order[p] = i
+            near_x[p] = x[3 * i] - corner[0]
+            near_y[p] = x[3 * i + 1] - corner[1]
+            near_z[p] = x[3 * i + 2] - corner[2]
+        return 0.0
+
+    return into_cells
+
+
+def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> Function:
+    """flat: all atoms lie in one plane of cells. excluding: some pairs are left out."""
+    px, py, pz = periodic
+    layers = 0 if flat else 1
+
+    def collect(
+        x: "f4*", y: "f4*", z: "f4*", rows: "i4*", from_: int, to: int, near_x: "f4*", near_y: "f4*", near_z: "f4*", order: "i4*",
+        m: int, sx: float, sy: float, sz: float,
+    ) -> int:
+        """Append places from_ to to, shifted, to the candidates; returns their number."""
+        for p in range(from_, to, WIDE):
+            store(x, m, load(near_x, p, WIDE) + splat_single(sx, WIDE))
+            store(y, m, load(near_y, p, WIDE) + splat_single(sy, WIDE))
+            store(z, m, load(near_z, p, WIDE) + splat_single(sz, WIDE))
+            store(rows, m, load(order, p, WIDE))
+            m += min(WIDE, to - p)
+        return m
+
+    def list_rows(
+        start: "i4*", order: "i4*", near_x: "f4*", near_y: "f4*", near_z: "f4*", counts: "i8*", lengths: "f8*", limit2: "f8",
+        x: "f4*", y: "f4*", z: "f4*", rows: "i4*", room: "i8", left_first: "i8*", left_out: "i4*", stamp: "i4*",
+        found: "i4*", edge: "u1*", listed: "i4*", width: "i8",
+    ) -> "f8":
+        """found[i]: how many neighbors row i has, listed[i*width ...]: their rows. edge[i]: some may be
+        periodic images in x (1), y (2), z (4).
+
+        x, y, z, rows: room for candidates. left_out[left_first[i]:left_first[i + 1]]: rows that are no neighbors of row i; stamp: (rows,)
+        of -1, scratch. Returns the most that any row has, or ROOM (for candidates), or WIDTH.
+        """
+        most = 0
+        for cz in range(counts[2]):
+            for cy in range(counts[1]):
+                for cx in range(counts[0]):
+                    c = (cz * counts[1] + cy) * counts[0] + cx
+                    begin = int(start[c])
+                    end = int(start[c + 1])
+                    if begin == end:
+                        continue
+                    m = 0
+                    image = 0
+                    for oz in range(-layers, layers + 1):
+                        zz = cz + oz
+                        sz = 0.0
+                        if zz < 0 or zz >= counts[2]:
+                            if not pz:
+                                continue
+                            sz = -lengths[2] if zz < 0 else lengths[2]
+                            zz += counts[2] if zz < 0 else -counts[2]
+                            image |= 4
+                        for oy in range(-1, 2):
+                            yy = cy + oy
+                            sy = 0.0
+                            if yy < 0 or yy >= counts[1]:
+                                if not py:
+                                    continue
+                                sy = -lengths[1] if yy < 0 else lengths[1]
+                                yy += counts[1] if yy < 0 else -counts[1]
+                                image |= 2
+                            row = (zz * counts[1] + yy) * counts[0]
+                            first = int(start[row + max(cx - 1, 0)])
+                            last = int(start[row + min(cx + 1, counts[0] - 1) + 1])
+                            if m + last - first + 2 * WIDE > room:
+                                return ROOM
+                            m = collect(x, y, z, rows, first, last, near_x, near_y, near_z, order, m, 0.0, sy, sz)
+                            if px and (cx == 0 or cx == counts[0] - 1):
+                                image |= 1
+                                if cx == 0:
+                                    first = int(start[row + counts[0] - 1])
+                                    last = int(start[row + counts[0]])
+                                    if m + last - first + 2 * WIDE > room:
+                                        return ROOM
+                                    m = collect(x, y, z, rows, first, last, near_x, near_y, near_z, order, m, -lengths[0], sy, sz)
+                                if cx == counts[0] - 1:
+                                    first = int(start[row])
+                                    last = int(start[row + 1])
+                                    if m + last - first + 2 * WIDE > room:
+                                        return ROOM
+                                    m = collect(x, y, z, rows, first, last, near_x, near_y, near_z, order, m, lengths[0], sy, sz)
+                    store(x, m, splat_single(FAR, WIDE))
+                    store(rows, m, splat_whole(0, WIDE))
+                    for p in range(begin, end):
+                        i = int(order[p])
+                        xi = splat_single(near_x[p], WIDE)
+                        yi = splat_single(near_y[p], WIDE)
+                        zi = splat_single(near_z[p], WIDE)
+                        at = i * width
+                        full = at + width - WIDE
+                        for k in range(0, m, WIDE):
+                            dx = load(x, k, WIDE) - xi
+                            dy = load(y, k, WIDE) - yi
+                            dz = load(z, k, WIDE) - zi
+                            j = load(rows, k, WIDE)
+                            take = (dx * dx + dy * dy + dz * dz < limit2) & (j != i)
+                            if at > full:
+                                return WIDTH
+                            at += compress(listed, at, j, take)
+                        if excluding and left_first[i] < left_first[i + 1]:
+                            for q in range(left_first[i], left_first[i + 1]):
+                                stamp[int(left_out[q])] = i
+                            stop = at
+                            at = i * width
+                            for k in range(at, stop, WIDE):
+                                here = count_up(k - i * width, WIDE) < stop - i * width
+                                j = select(here, load(listed, k, WIDE), splat_whole(i, WIDE))
+                                at += compress(listed, at, j, here & (gather(stamp, j, 0) != i))
+                        found[i] = at - i * width
+                        edge[i] = image
+                        most = max(most, at - i * width)
+        return float(most)
+
+    return list_rows
+
+
+def weaving() -> Function:
+    def weave(
+        listed: "i4*", width: "i8", found: "i4*", edge: "u1*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", room: "i8",
+        nobody: "i8", blocks: "i8",
+    ) -> "f8":
+        """Rows of eight atoms side by side. neighbors[first[b] + 8 k ...]: entry k of the eight rows of block b, depth[b] of them;
+        edges[b]: edge of any of its rows; nobody: the row that pads. Returns how many entries, or ROOM."""
+        at = 0
+        for b in range(blocks):
+            deepest = 0
+            image = 0
+            for k in range(LANES * b, LANES * b + LANES):
+                deepest = max(deepest, int(found[k]))
+                image |= int(edge[k])
+            if at + LANES * deepest > room:
+                return ROOM
+            first[b] = at
+            depth[b] = deepest
+            edges[b] = image
+            have = load(found, LANES * b, LANES)
+            rows = count_up(0, LANES) * splat_whole(width, LANES)
+            for k in range(deepest):
+                j = gather(listed, rows, LANES * b * width + k)
+                store(neighbors, at, select(have > k, j, splat_whole(nobody, LANES)) * splat_whole(3, LANES))
+                at += LANES
+        return float(at)
+
+    return weave
