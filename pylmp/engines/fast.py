@@ -126,13 +126,12 @@ class FastRun(Run):
 
     def _forces(self, wanted: int, setup: bool) -> None:
         sim, timers = self.sim, self.timers
-        wanted = self.forces.able(wanted)
-        if wanted:
+        if wanted and (wanted := self.forces.able(wanted)):
             sim.tally.step, sim.tally.wanted = sim.step, wanted
         if setup:
             for hook in hooks(sim.fixes, "setup_pre_force"):
                 hook(sim)
-        else:
+        elif self.hooks["pre_force"]:
             self.call("pre_force")
             timers.stamp("Modify")
         self.forces.evaluate(sim, wanted, setup)
@@ -140,14 +139,15 @@ class FastRun(Run):
 
     def _rebuild(self, setup: bool, sort: bool = True) -> None:
         """Wrap, sort, lists. Bonds stay as they are laid out until atoms change places."""
-        sim, atoms = self.sim, self.sim.atoms
+        sim, atoms, box = self.sim, self.sim.atoms, self.sim.box
         if not setup:
             self.call("pre_exchange")
         atoms.clear_ghosts()
-        sim.box.wrap(atoms)
-        sim.box.shrink(atoms)
-        x = atoms.x[: atoms.n]
-        leaving = not ((x >= sim.box.lo).all() and (x < sim.box.hi).all())
+        box.wrap(atoms)
+        self.forces.measure(sim)
+        if box.shrinking and atoms.n:
+            box.shrink_to(self.forces.least, self.forces.most)
+        leaving = bool(((self.forces.least < box.lo) | (self.forces.most >= box.hi)).any())
         sorting = bool(sort and sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0)) and (setup or sim.step >= self.sorter.next)
         if setup or leaving or sorting:
             if not setup:

@@ -11,6 +11,7 @@ from pylmp.engines.fast_bonds import FastBonds
 from pylmp.engines.fast_list import FullList
 from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.fast import FAR, blocks
+from pylmp.kernels.fast import neighbor as loops
 from pylmp.kernels.fast.forces import TALLIES, PairTerm, force_loop
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel, prepare
@@ -28,6 +29,7 @@ Call = Callable[[], float]
 class FastForces:
     """Kernels with and without tallies, bound to the arrays of the atoms.
 
+    least, most: (3,) lowest and highest coordinates when last measured.
     bonds: the listing of the bond style, in a list as the exact engine has them; lists: the neighbor list, None without a pair law
     """
 
@@ -39,17 +41,19 @@ class FastForces:
         term = PairTerm(self.pair.law, self.pair.width, self.pair.style.velocity, sim.atom_types == 1) if self.pair else None
         bond = self.bonds[0].term(sim, self.pair) if self.bonds else None
         self._kernels = [force_loop(term, bond, sim.box.periodic, tally) for tally in (False, True)]
-        self._moved = neighbor_loops.moved()
+        self._moved, self._extent = neighbor_loops.moved(), loops.extents()
         self._calls: dict[tuple[bool, bool], Call] = {}
         self._moved_call: Call = lambda: 0.0
         self._sums = np.zeros(TALLIES)
         self._kinds = np.zeros(0, np.int32)
-        self._held = np.zeros((0, 3))
+        self.least, self.most = np.zeros(3), np.zeros(3)
+        self._scratch = np.zeros(6 * LANES)
+        self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
         self._rows: np.ndarray[tuple[int], np.dtype[np.int64]] | None = None  # IDs of the rows that the bonds were laid out for
 
     def prepare(self, sim: Simulation, more: list[Function]) -> None:
         """Compile what the store does not have, all at once, more included."""
-        functions = [*self._kernels, self._moved, *more]
+        functions = [*self._kernels, self._moved, self._extent, *more]
         for listed in self.bonds:
             functions += listed.functions()
         if self.lists is not None:
@@ -57,6 +61,11 @@ class FastForces:
         for fix in sim.fixes:
             functions += fix.functions()
         prepare(functions, sim.console.screen)
+
+    def measure(self, sim: Simulation) -> None:
+        """Find the lowest and highest coordinates."""
+        if sim.atoms.n:
+            kernel(self._extent).bind(sim.atoms.x, self._scratch, self.least, self.most, sim.atoms.n)()
 
     def copy_back(self, sim: Simulation) -> None:
         for listed in self.bonds:
@@ -84,7 +93,7 @@ class FastForces:
             for listed in self.bonds:
                 listed.forget_broken()
         if self.lists is not None:
-            self.lists.build(sim, self.bonds[0].left_out if self.bonds else None)
+            self.lists.build(sim, self.bonds[0].left_out if self.bonds else None, self.least, self.most)
         check_bonded(sim)
         self._held = atoms.x[:n].copy()
         self._bind(sim)
@@ -108,8 +117,8 @@ class FastForces:
             for tally in (False, True)
             for may_break in (False, True)
         }  # fmt: skip
-        skin = sim.neighbor.skin
-        self._moved_call = kernel(self._moved).bind(atoms.x, self._held, 0.25 * skin * skin, atoms.n)
+        self._limit2[0] = 0.25 * sim.neighbor.skin * sim.neighbor.skin
+        self._moved_call = kernel(self._moved).bind(atoms.x, self._held, self._limit2, atoms.n)
 
     # ---- every step -------------------------------------------------------------------------------------------
 

@@ -15,6 +15,7 @@ from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.engines.fast_bonds import LeftOut
+    from pylmp.model.atoms import Floats, Ints
     from pylmp.model.simulation import Simulation
 
 _SINGLE = 2.0**-20  # of the box length: more than single precision and the shift of images lose
@@ -49,10 +50,10 @@ class FullList:
 
     full = whole = None  # a list that computes could look at: none
 
-    def build(self, sim: Simulation, left_out: LeftOut | None) -> None:
-        """List the neighbors of all atoms. Raises ScriptError where a position is not a number, or too many are too close."""
+    def build(self, sim: Simulation, left_out: LeftOut | None, least: Floats, most: Floats) -> None:
+        """List the neighbors of all atoms, which are between least and most (3,). Raises ScriptError where a position is not a number, or too many are too close."""
         atoms, n = sim.atoms, sim.atoms.n
-        corner, lengths, counts = self._grid(sim)
+        corner, lengths, counts = self._grid(sim, least, most)
         self._fit(n, int(counts.prod()))
         cells = kernel(self._sort).bind(
             atoms.x, corner, counts / lengths, counts, self._cell, self._start, self._order, *self._near, n,
@@ -64,14 +65,14 @@ class FullList:
         excluded = (left_out.first, left_out.rows) if self._excluding and left_out else nothing
         self._stamp.fill(-1)
         while True:
-            most = kernel(self._list).bind(
+            deepest = kernel(self._list).bind(
                 self._start, self._order, *self._near, counts, sim.box.length, margin * margin, *self._candidates, self._candidate_rows,
                 self._room, *excluded, self._stamp, self._found, self._edge, self._listed, self._width,
             )()  # fmt: skip
-            if most >= 0.0 or self._width > sim.neighbor.one + WIDE:
+            if deepest >= 0.0 or self._width > sim.neighbor.one + WIDE:
                 break
-            self._more(n, most == loops.WIDTH)
-        if not 0.0 <= most <= sim.neighbor.one:
+            self._more(n, deepest == loops.WIDTH)
+        if not 0.0 <= deepest <= sim.neighbor.one:
             raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
         while True:
             entries = kernel(self._weave).bind(
@@ -83,20 +84,15 @@ class FullList:
             self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
         self.count = int(self._found[:n].sum())
 
-    def _grid(self, sim: Simulation):  # type: ignore[no-untyped-def]
+    def _grid(self, sim: Simulation, least: Floats, most: Floats) -> tuple[Floats, Floats, Ints]:
         """Corner, lengths and counts of cells no smaller than the cutoff and not many more than atoms."""
-        box, x = sim.box, sim.atoms.x[: sim.atoms.n]
-        low, high = box.lo.copy(), box.hi.copy()
-        if len(x) and not all(box.periodic):
-            least, most = x.min(axis=0), x.max(axis=0)
-            for d, periodic in enumerate(box.periodic):
-                if not periodic and least[d] <= most[d]:
-                    low[d], high[d] = least[d], most[d]
+        box = sim.box
+        low, high = np.where(box.periodic, box.lo, least), np.where(box.periodic, box.hi, most)
         lengths = np.maximum(high - low, 1.0e-6 * self.cutoff)
         counts = np.maximum((lengths / self.cutoff).astype(np.int64), 1)
         if self._flat:
             counts[2] = 1
-        most_cells = 4 * len(x) + 64
+        most_cells = 4 * sim.atoms.n + 64
         while counts.prod() > most_cells:
             widest = int(np.argmax(counts))
             counts[widest] = max(1, counts[widest] // 2)

@@ -168,9 +168,10 @@ class Box:
         """Move shrink-wrapped faces to the extreme atoms, plus the margin. Atoms are in frame coordinates."""
         if atoms.n and self.shrinking:
             x = atoms.x[: atoms.n]
-            self._shrink_to(x.min(axis=0), x.max(axis=0))
+            self.shrink_to(x.min(axis=0), x.max(axis=0))
 
-    def _shrink_to(self, least: Floats, most: Floats) -> None:
+    def shrink_to(self, least: Floats, most: Floats) -> None:
+        """The same, of atoms between least and most (3,)."""
         lo, hi = self.lo.copy(), self.hi.copy()
         for d, (low, high) in enumerate(self.boundary):
             if low in "sm":

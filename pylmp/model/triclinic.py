@@ -120,7 +120,7 @@ class Triclinic(Box):
         f = atoms.x[: atoms.n]
         least, most = f.min(axis=0), f.max(axis=0)
         self.leave(f)
-        self._shrink_to(*(self.h[:3] * extreme + self.lo for extreme in (least, most)))
+        self.shrink_to(*(self.h[:3] * extreme + self.lo for extreme in (least, most)))
         self.enter(f)
         self.wrap(atoms)
 

@@ -15,6 +15,47 @@ from pylmp.laws import select
 ROOM, WIDTH = -1.0, -2.0  # not enough room, rows that are too narrow: the caller makes more and asks again
 
 
+def extents() -> Function:
+    def extent(x: "f8*", scratch: "f8*", least: "f8*", most: "f8*", n: "i8") -> "f8":
+        """least, most: (3,) lowest and highest coordinates, those that are not numbers left out. scratch: (48,)."""
+        for d in range(3):
+            least[d] = x[d]
+            most[d] = x[d]
+        whole = 3 * LANES * (n // LANES)
+        if whole > 0:  # three vectors hold eight rows, each lane one coordinate
+            a = load(x, 0, LANES)
+            b = load(x, LANES, LANES)
+            c = load(x, 2 * LANES, LANES)
+            low_a = a
+            low_b = b
+            low_c = c
+            for k in range(0, whole, 3 * LANES):
+                next_a = load(x, k, LANES)
+                next_b = load(x, k + LANES, LANES)
+                next_c = load(x, k + 2 * LANES, LANES)
+                a = select(next_a > a, next_a, a)
+                b = select(next_b > b, next_b, b)
+                c = select(next_c > c, next_c, c)
+                low_a = select(next_a < low_a, next_a, low_a)
+                low_b = select(next_b < low_b, next_b, low_b)
+                low_c = select(next_c < low_c, next_c, low_c)
+            store(scratch, 0, low_a)
+            store(scratch, LANES, low_b)
+            store(scratch, 2 * LANES, low_c)
+            store(scratch, 3 * LANES, a)
+            store(scratch, 4 * LANES, b)
+            store(scratch, 5 * LANES, c)
+            for k in range(3 * LANES):
+                least[k % 3] = min(least[k % 3], scratch[k])
+                most[k % 3] = max(most[k % 3], scratch[3 * LANES + k])
+        for k in range(whole, 3 * n):
+            least[k % 3] = min(least[k % 3], x[k])
+            most[k % 3] = max(most[k % 3], x[k])
+        return 0.0
+
+    return extent
+
+
 def sorting() -> Function:
     def into_cells(
         x: "f8*", corner: "f8*", inverse: "f8*", counts: "i8*", cell: "i4*", start: "i4*", order: "i4*",
