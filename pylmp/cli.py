@@ -138,6 +138,8 @@ class Session:
         path = options.script or options.input
         if options.engine == "lammps":
             return self._on_lammps(path)
+        import numpy as np
+
         from pylmp.engines.exact import Exact
         from pylmp.engines.fast import Fast
         from pylmp.interpreter import Interpreter
@@ -162,10 +164,11 @@ class Session:
         try:
             for name, *values in options.var:
                 interpreter.variables.set_index(name, values)
-            if path:
-                interpreter.run_file(Path(path))
-            else:
-                interpreter.run(decode(sys.stdin.buffer.read(), "<stdin>"), "<stdin>")
+            with np.errstate(all="ignore"):  # numbers overflow in silence, as in C
+                if path:
+                    interpreter.run_file(Path(path))
+                else:
+                    interpreter.run(decode(sys.stdin.buffer.read(), "<stdin>"), "<stdin>")
             code, finished = OK, True
             sim.finish()
         except BaseException as error:

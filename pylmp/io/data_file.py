@@ -127,6 +127,7 @@ class DataFile:
             elif found := _BOUND.fullmatch(text):
                 d = "xyz".index(found[3])
                 result.lo[d], result.hi[d] = self.number(found[1], self.at), self.number(found[2], self.at)
+                result.lines[f"{found[3]}lo"] = self.at
             elif found := _TILTED.fullmatch(text):
                 result.tilt, result.tilted = [self.number(found[k], self.at) for k in (1, 2, 3)], self.at
             elif _GENERAL.fullmatch(text):

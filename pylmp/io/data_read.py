@@ -131,6 +131,9 @@ class Reader:
                 file.fail(says, header.lines[kind.plural], hint=f"a line such as: 1 {kind.name} types")
         if sim.dimension == 2 and not header.lo[2] < 0.0 < header.hi[2]:
             file.fail("Read_data zlo/zhi for 2d simulation must straddle 0.0", 0, hint="-0.5 0.5 zlo zhi")
+        for axis, low, high in zip("xyz", header.lo, header.hi, strict=True):
+            if not low < high:
+                file.fail("Box bounds are invalid or missing", header.lines[f"{axis}lo"], hint="the lower bound first")
 
     def _make_box(self) -> None:
         sim, header, options = self.sim, self.header, self.options

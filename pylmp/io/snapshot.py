@@ -173,6 +173,9 @@ class Reader:
         purged = before if request.purge else 0
         if purged:
             atoms.keep(np.zeros(0, np.int64))
+        for name in ("id", "type", "ix", "iy", "iz"):
+            if name in table and (bad := np.flatnonzero(~(np.abs(table[name]) < 2.0**31))).size:
+                snapshot.file.fail(f"Invalid {name} in dump file", snapshot.first + int(bad[0]), hint="a whole number")
         tags = table["id"].astype(np.int64)
         rows = self._rows(tags)
         known = rows >= 0
@@ -185,7 +188,7 @@ class Reader:
             trimmed = int(missing.sum())
             atoms.drop(missing)
         if request.add != "no":
-            added = self._add(tags, table, places, ~known, wrapped)
+            added = self._add(snapshot, table, places, ~known, wrapped)
         self._settle()
         say(f"  {describe(sim.box)}\n")
         for count, what in (
@@ -215,6 +218,8 @@ class Reader:
 
     def _box(self, snapshot: Snapshot) -> None:
         sim = self.sim
+        if (bad := np.flatnonzero(~(snapshot.lo < snapshot.hi))).size:
+            snapshot.file.fail("Box bounds are invalid or missing", snapshot.first - 4 + int(bad[0]))
         sim.box.place(snapshot.lo, snapshot.hi, snapshot.tilt)
         sim.box.set_initial(sim.console)
 
@@ -238,13 +243,14 @@ class Reader:
                 atoms.image[rows, d] = table[f"i{axis}"][which].astype(np.int64)
 
     def _add(
-        self, tags: Ints, table: dict[str, Floats], places: dict[str, Floats], new: NDArray[np.bool_], wrapped: bool
+        self, snapshot: Snapshot, table: dict[str, Floats], places: dict[str, Floats], new: NDArray[np.bool_], wrapped: bool
     ) -> int:  # fmt: skip
         """Atoms of the snapshot that are not there yet."""
         sim, atoms = self.sim, self.sim.atoms
-        kinds = table["type"][new].astype(np.int64)
-        if ((kinds < 1) | (kinds > sim.atom_types)).any():
-            raise ScriptError("Invalid atom type in dump file", hint=f"types are 1 to {sim.atom_types}", manual=MANUAL)
+        tags, kinds = table["id"].astype(np.int64), table["type"][new].astype(np.int64)
+        if (bad := np.flatnonzero((kinds < 1) | (kinds > sim.atom_types))).size:
+            row = snapshot.first + int(np.flatnonzero(new)[bad[0]])
+            snapshot.file.fail("Invalid atom type in dump file", row, hint=f"types are 1 to {sim.atom_types}")
         rows = np.array(atoms.append(np.zeros((int(new.sum()), 3)), kinds), np.int64)
         self._overwrite(rows, table, places, new, wrapped)
         if self.request.add == "keep":

@@ -11,8 +11,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.text.diagnostic import ScriptError
+from pylmp.text.diagnostic import ScriptError, Unsupported
 
+_LARGEST_ID = 2**27  # tables by ID stay below a gigabyte
 MOST_SLOTS, MOST_TYPES = 10_000, 100_000
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -175,11 +176,19 @@ class Atoms:
         self.ghosts = 0
 
     def rows_by_tag(self) -> Ints:
-        """(largest ID + 1,) owned row of each ID, -1 where there is none."""
-        tags = self.tag[: self.n]
-        rows = np.full(int(tags.max()) + 1 if self.n else 1, -1, np.int64)
-        rows[tags[::-1]] = np.arange(self.n)[::-1]
+        """(largest ID + 1,) owned row of each ID, -1 where there is none. Raises Unsupported for gigantic IDs."""
+        rows = np.full(self.span(), -1, np.int64)
+        rows[self.tag[: self.n][::-1]] = np.arange(self.n)[::-1]
         return rows
+
+    def span(self) -> int:
+        """Largest ID + 1: the size of a table of all IDs. Raises Unsupported for gigantic ones."""
+        largest = int(self.tag[: self.n].max(initial=0))
+        if largest > _LARGEST_ID:
+            raise Unsupported(
+                f"LAMMPS has atom IDs such as {largest}, pylmp's native engines do not", hint=f"IDs up to {_LARGEST_ID}", manual="atom_modify.html"
+            )  # fmt: skip
+        return largest + 1
 
     def slots(self, kind: str) -> int:
         """How many bonds (angles, ...) an atom can store."""

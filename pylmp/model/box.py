@@ -22,6 +22,7 @@ from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import shortest
 
+FAR = 10.0  # box lengths: atoms farther out are wrapped one by one
 FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out, and LAMMPS would wrap it for ever
 _FAR = 16.0  # box lengths between two atoms that LAMMPS does not look beyond
 SHRINK_MARGIN = 1.0e-4  # of the box length: how far a shrink-wrapped face stays outside the extreme atom
@@ -230,6 +231,9 @@ class Box:
             length = hi - lo
             if (np.abs(x[:, d] - lo) > FARTHEST * length).any():
                 raise ScriptError("Atom is too far outside the periodic box", hint=f"within {FARTHEST:g} box lengths")
+            for row in np.flatnonzero(np.abs(x[:, d] - lo) > FAR * length).tolist():
+                x[row, d], turns = _walk(float(x[row, d]), float(lo), float(hi), float(length))
+                image[row, d] = ten_bits(image[row, d] + turns)
             while (out := x[:, d] < lo).any():
                 x[out, d] += length
                 image[out, d] = ten_bits(image[out, d] - 1)
@@ -278,3 +282,13 @@ class Box:
             while (out := np.abs(column) > half).any():
                 column[out] += np.where(column[out] < 0.0, length, -length)
         return delta
+
+
+def _walk(x: float, lo: float, hi: float, length: float) -> tuple[float, int]:
+    """x wrapped by one length after the other, and what its image flag gains."""
+    turns = 0
+    while x < lo:
+        x, turns = x + length, turns - 1
+    while x >= hi:
+        x, turns = x - length, turns + 1
+    return x, turns

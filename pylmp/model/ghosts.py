@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -11,10 +12,13 @@ from pylmp.kernels.exact import ghosts as loops
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.store import kernel
 from pylmp.model.atoms import Floats
+from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import shortest
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
+
+_MOST = 2**28  # ghosts
 
 
 def bond_reach(sim: Simulation) -> float:
@@ -71,8 +75,10 @@ class Ghosts:
         atoms, box = sim.atoms, sim.box
         atoms.clear_ghosts()
         (lo, hi), reach = box.frame, box.frame_reach(cutoff)
-        needs = zip(reach, hi - lo, box.periodic, strict=True)
-        pairs = sum(2 * (int(near / length) + 1) for near, length, periodic in needs if periodic)
+        images = [reach[d] / (hi[d] - lo[d]) for d in range(sim.dimension) if box.periodic[d]]
+        if not atoms.n * math.prod(1.0 + 2.0 * many for many in images) < _MOST:
+            raise ScriptError("Too many ghost atoms", hint="a wider box: more of its images are within the ghost cutoff than memory holds")
+        pairs = sum(2 * (int(many) + 1) for many in images)
         if len(self.swaps) < pairs + 2:
             self.swaps = np.zeros(pairs + 2, np.int64)
         atoms.reserve(atoms.n + 1)
@@ -86,7 +92,7 @@ class Ghosts:
                 break
             atoms.reserve(2 * atoms.capacity)
         atoms.ghosts = int(total) - atoms.n
-        tags = int(atoms.tag[: atoms.n].max()) + 1 if atoms.n else 1
+        tags = atoms.span()
         if len(self.first) != tags:
             self.first = np.zeros(tags, np.int64)
         self.first[:] = -1

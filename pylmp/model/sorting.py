@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pylmp.model.atoms import Floats, Ints
+from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
+
+_MOST = 2**31 - 1  # LAMMPS counts bins in 32 bits
 
 
 class Sorter:
@@ -27,8 +31,12 @@ class Sorter:
         self._low, high = sim.box.brick(*sim.box.frame)
         for d in range(3):
             length = float(high[d] - self._low[d])
-            self._counts[d] = 1 if d == 2 and sim.dimension == 2 else max(1, int(length * per_bin))
+            many = length * per_bin
+            flat = d == 2 and sim.dimension == 2
+            self._counts[d] = max(1, int(many)) if many < _MOST and not flat else 1  # LAMMPS's count overflows beyond
             self._inverse[d] = self._counts[d] / length
+        if math.prod(self._counts.tolist()) >= _MOST:
+            raise ScriptError("Too many atom sorting bins", hint="a smaller box, or atom_modify sort 0 0")
 
     def sort(self, sim: Simulation) -> None:
         """Stable sort of the owned atoms by bin, x fastest. They are in frame coordinates."""
@@ -41,7 +49,8 @@ class Sorter:
         atoms = sim.atoms
         x = atoms.x[: atoms.n]
         sim.box.leave(x)
-        cell = ((x - self._low) * self._inverse).astype(np.int64)
+        with np.errstate(invalid="ignore"):  # that an atom is nowhere is said later
+            cell = ((x - self._low) * self._inverse).astype(np.int64)
         sim.box.enter(x)
         cell = np.minimum(np.maximum(cell, 0), self._counts - 1)
         key = (cell[:, 2] * self._counts[1] + cell[:, 1]) * self._counts[0] + cell[:, 0]

@@ -28,13 +28,20 @@ def atom_sets(sim: Simulation, name: str, path: Word, lines: list[str]) -> Itera
         number, words = rows[at]
         if len(words) != 1:
             _fail(path, f"Expected 1 token but found {len(words)} when parsing {' '.join(words)}", number, "the count of a set")
-        count = Args("variable atomfile", [Word(words[0])]).integer()
+        count = _count(path, words[0], number)
         entries = rows[at + 1 : at + 1 + max(count, 0)]
         if len(entries) != count:
             text = f"Atomfile variable {name} could not read values from {path.text}"
             _fail(path, text, number, f"{count} lines were promised, {len(entries)} follow")
         yield _set(sim, path, entries)
         at += 1 + count
+
+
+def _count(path: Word, text: str, number: int) -> int:
+    try:
+        return Args("variable atomfile", [Word(text)]).integer()
+    except ScriptError as error:
+        _fail(path, error.diagnostic.message, number, "the count of a set")
 
 
 def _set(sim: Simulation, path: Word, entries: list[tuple[int, list[str]]]) -> tuple[Ints, Floats]:

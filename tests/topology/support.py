@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from pylmp.text.diagnostic import Diagnostic
+from tests.garbled import refusal
 from tests.setup.both import Made, on_lammps, on_pylmp, second_opinion
 
 
@@ -42,6 +44,12 @@ def difference(script: str, folder: Path, files: dict[str, str] | None = None, w
         return found
 
     return "\n".join(second_opinion(script, home, wrong))
+
+
+def refused(script: str, text: str, folder: Path) -> Diagnostic | None:
+    """What pylmp has against a data file, wrong.data, that script reads."""
+    (folder / "wrong.data").write_bytes(text.encode("utf-8", "surrogateescape"))
+    return refusal(script, folder)
 
 
 def _said(made: Made) -> list[str]:

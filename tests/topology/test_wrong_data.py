@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-import random
 from pathlib import Path
 
 import pytest
 
-from pylmp.engines.exact import Exact
-from pylmp.interpreter import Interpreter
-from pylmp.model.console import Console
-from pylmp.model.simulation import Simulation
-from pylmp.text.diagnostic import ScriptError
-from tests.topology.support import run_both
+from tests.topology.support import refused, run_both
 
 GOOD = """title
 
@@ -155,6 +149,7 @@ WRONG = [
     (GOOD[GOOD.index("Masses") :], "", None),
 ]
 HEAD = "units lj\natom_style bond\npair_style lj/cut 2.0\nbond_style harmonic\n"
+READ = f"{HEAD}read_data wrong.data\n"
 
 
 @pytest.mark.parametrize(("old", "new", "place"), WRONG, ids=[f"{k}" for k in range(len(WRONG))])
@@ -163,72 +158,31 @@ def test_sentence_and_place(old: str, new: str, place: tuple[int, int] | None, t
     reference, ours = run_both(f"{HEAD}read_data in.data\n", tmp_path, {"in.data": GOOD.replace(old, new, 1)})
     assert reference.error and ours.error == reference.error
     if place is not None:
-        error = read(GOOD.replace(old, new, 1), tmp_path)
-        assert error is not None and error.diagnostic.span is not None
-        assert (error.diagnostic.span.line, error.diagnostic.span.column) == place
-        assert error.diagnostic.span.file.endswith("wrong.data")
-
-
-def read(text: str, folder: Path) -> ScriptError | None:
-    """What pylmp has against a data file."""
-    (folder / "wrong.data").write_bytes(text.encode("utf-8", "surrogateescape"))
-    sim = Simulation(Console(), Exact())
-    try:
-        Interpreter(sim).run(f"{HEAD}read_data {folder}/wrong.data\n", "in.script")
-    except ScriptError as error:
-        return error
-    return None
+        error = refused(READ, GOOD.replace(old, new, 1), tmp_path)
+        assert error is not None and error.span is not None
+        assert (error.span.line, error.span.column) == place
+        assert error.span.file.endswith("wrong.data")
 
 
 def test_files_that_lammps_misreads_are_refused(tmp_path: Path) -> None:
     """LAMMPS overlooks a surplus last line, and notices equal IDs only when a bond is missing."""
-    error = read(GOOD.replace("2 bonds", "1 bonds"), tmp_path)
-    assert error is not None and error.diagnostic.message == "Unknown identifier in data file: 2 2 2 3"
-    error = read(GOOD.replace("2 1 2 2 1 1\n", "1 1 2 2 1 1\n"), tmp_path)
-    assert error is not None and error.diagnostic.message == "Duplicate atom IDs exist"
+    error = refused(READ, GOOD.replace("2 bonds", "1 bonds"), tmp_path)
+    assert error is not None and error.message == "Unknown identifier in data file: 2 2 2 3"
+    error = refused(READ, GOOD.replace("2 1 2 2 1 1\n", "1 1 2 2 1 1\n"), tmp_path)
+    assert error is not None and error.message == "Duplicate atom IDs exist"
 
 
 def test_the_good_file_is_good(tmp_path: Path) -> None:
     reference, ours = run_both(f"{HEAD}read_data in.data\n", tmp_path, {"in.data": GOOD})
     assert reference.error == ours.error == ""
-    assert read(GOOD, tmp_path) is None
-
-
-def test_garbled_files_give_a_sentence_with_file_and_line(tmp_path: Path) -> None:
-    draw = random.Random(7)
-    refused = 0
-    for _ in range(400):
-        text = list(GOOD)
-        for _ in range(draw.randint(1, 4)):
-            at = draw.randrange(len(text))
-            change = draw.choice(["drop", "swap", "cut", "noise", "repeat"])
-            if change == "drop":
-                del text[at : at + draw.randint(1, 12)]
-            elif change == "swap":
-                text[at] = draw.choice("0123456789-+.eE# \n\t*xn")
-            elif change == "cut":
-                del text[max(at, 1) :]
-            elif change == "noise":
-                text[at:at] = list(
-                    draw.choice(["\x00", "\r\n", "é", "\udcff\udcfe", "1e999", "9" * 30, "\u2028", "\x0c"])
-                )
-            else:
-                text[at:at] = text[at : at + 40]
-            if not text:
-                text = [" "]
-        error = read("".join(text), tmp_path)
-        if error is not None:
-            refused += 1
-            span = error.diagnostic.span
-            assert error.diagnostic.message and span is not None and span.line >= 1
-    assert refused > 200
+    assert refused(READ, GOOD, tmp_path) is None
 
 
 def test_truncated_anywhere(tmp_path: Path) -> None:
     for end in range(0, len(GOOD) - 10, 7):
-        error = read(GOOD[:end], tmp_path)
+        error = refused(READ, GOOD[:end], tmp_path)
         if "3 atoms\n" in GOOD[:end]:
-            assert error is not None and error.diagnostic.span is not None
+            assert error is not None and error.span is not None
 
 
 KEYWORDS = [
