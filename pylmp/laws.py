@@ -62,6 +62,23 @@ def whole(x: Any) -> Any:
     return int(x) if abs(x) < 2.0**62 else 0
 
 
+def single(x: Any) -> Any:
+    """The single precision number next to x."""
+    narrow = _narrow(x)
+    return narrow.astype(np.float64) if isinstance(x, np.ndarray) else float(narrow)
+
+
+def bits(x: Any) -> Any:
+    """The bits of the single precision number next to x, as a number of 32 bits with a sign."""
+    pattern = _narrow(x).view(np.int32)
+    return pattern.astype(np.int64) if isinstance(x, np.ndarray) else int(pattern)
+
+
+def _narrow(x: Any) -> Any:
+    with np.errstate(over="ignore"):
+        return x.astype(np.float32) if isinstance(x, np.ndarray) else np.float64(x).astype(np.float32)
+
+
 def _of_c(name: str, *values: Any) -> Any:
     """A function of the C library, for any kind of number; others than floats and arrays bring their own."""
     if any(isinstance(value, np.ndarray) for value in values):

@@ -14,7 +14,7 @@ import numpy as np
 from pylmp.laws import log, select
 from pylmp.model.atoms import Floats, Ints
 from pylmp.model.registry import BONDS
-from pylmp.model.style import BondStyle, Coeff, Options
+from pylmp.model.style import BondStyle, Coeff, Options, always
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import eight, shortest
 
@@ -88,7 +88,7 @@ BONDS.add(
         coeffs=(
             Coeff("K", "energy/distance^2"), Coeff("R0", "distance"), Coeff("epsilon", "energy"), Coeff("sigma", "distance"),
         ),
-        law=lambda options: fene, length=lambda coeffs, options: LENGTH * coeffs[3], watch=too_long, report=report,
+        law=lambda options: fene, length=lambda coeffs, options: LENGTH * coeffs[3], watch=always(too_long), report=report,
         report_alone=report_alone, cautions=cautions("fene"), omp=True, release="fene",
     ),
 )  # fmt: skip

@@ -11,7 +11,7 @@ from pylmp.bonds.fene import LEAST, LENGTH, WALL2, WORST, cautions, report_alone
 from pylmp.laws import log, select, sqrt
 from pylmp.model.atoms import Ints
 from pylmp.model.registry import BONDS
-from pylmp.model.style import BondStyle, Coeff
+from pylmp.model.style import BondStyle, Coeff, always
 from pylmp.text.number import eight
 
 
@@ -55,7 +55,7 @@ BONDS.add(
             Coeff("K", "energy/distance^2"), Coeff("R0", "distance"), Coeff("epsilon", "energy"), Coeff("sigma", "distance"),
             Coeff("delta", "distance"),
         ),
-        law=lambda options: fene_expand, length=lambda coeffs, options: LENGTH * coeffs[3] + coeffs[4], watch=too_long,
+        law=lambda options: fene_expand, length=lambda coeffs, options: LENGTH * coeffs[3] + coeffs[4], watch=always(too_long),
         report=report, report_alone=report_alone, cautions=cautions("fene/expand"), omp=True, release="fene/expand",
     ),
 )  # fmt: skip

@@ -21,4 +21,4 @@ def set_coefficients(sim: Simulation, args: Args, kind: Kind) -> None:
         args.fail(f"{what.capitalize()}_coeff command before {what}_style is defined", args.owner, hint=f"{what}_style zero")
     args.need(1)
     sim.labels.translate(args, what)
-    style.coeff(args)
+    style.coeff(sim, args)

@@ -14,4 +14,4 @@ def bond_coeff(sim: Simulation, args: Args) -> None:
         args.fail("Bond_coeff command before bond_style is defined", args.owner, hint="bond_style comes first")
     args.need(1)
     sim.labels.translate(args, "bond")
-    sim.bond.coeff(args)
+    sim.bond.coeff(sim, args)

@@ -14,4 +14,4 @@ def pair_coeff(sim: Simulation, args: Args) -> None:
         args.fail("Pair_coeff command without a pair style", args.owner, hint="pair_style comes first")
     args.need(2)
     args.words[:2] = [sim.labels.resolved(args, "atom", word) for word in args.words[:2]]
-    sim.pair.coeff(args)
+    sim.pair.coeff(sim, args)

@@ -16,8 +16,8 @@ _HYBRID = ("hybrid", "hybrid/overlay")
 def pair_style(sim: Simulation, args: Args) -> None:
     """Choose the pair style.
 
-    The same style again keeps the coefficients and pair_modify settings; a global cutoff replaces every cutoff. Hybrid keeps
-    only what pair_modify said of all styles.
+    The same style again keeps pair_modify settings and, unless it has tables, the coefficients; a global cutoff replaces every
+    cutoff. Hybrid keeps only what pair_modify said of all styles.
     """
     name = args.word()
     if name.text == "none":
@@ -33,9 +33,11 @@ def pair_style(sim: Simulation, args: Args) -> None:
     sim.pair = Pair(part.style.name, [part], sim.atom_types)
     if before is not None:
         (old,) = before.parts
-        part.given = {pair: (values, part.options.get("cut", cut)) for pair, (values, cut) in old.given.items()}
         part.settings = sim.pair.settings = old.settings
-        sim.pair.acting = {pair: [part] for pair in part.given}
+        sim.pair.born = before.born
+        if part.style.data is None:
+            part.given = {pair: (values, part.options.get("cut", cut)) for pair, (values, cut) in old.given.items()}
+            sim.pair.acting = {pair: [part] for pair in part.given}
 
 
 def _part(sim: Simulation, args: Args, name: Word, words: list[Word], called: str) -> PairPart:

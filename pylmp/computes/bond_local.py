@@ -132,7 +132,7 @@ def report(sim: Simulation, kinds: Ints, r2: Floats) -> None:
     for part in sim.bond.parts:
         if part.style.report_alone is not None:
             mine = np.flatnonzero((kinds > 0) & (part.mine[np.abs(kinds)] != 0))
-            seen = mine[np.asarray(part.style.watch(r2[mine], part.columns(kinds[mine])), bool)]
+            seen = mine[np.asarray(part.watch(r2[mine], part.columns(kinds[mine])), bool)]
             part.style.report_alone(sim, part, r2[seen], kinds[seen])
 
 

@@ -269,11 +269,16 @@ class Run:
         warn_small_box(sim)
         report = RunReport(
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections, processor=self.timers.processor,
-            neighbors=self.forces.lists.half if self.forces.lists else 0, ghosts=sim.atoms.ghosts,
+            neighbors=self._neighbors(), ghosts=sim.atoms.ghosts,
             builds=self.builds, dangerous=self.dangerous, interrupted=self.stop,
             full_neighbors=self._full_neighbors(),
         )  # fmt: skip
         return report, result
+
+    def _neighbors(self) -> int:
+        """Entries of a half list of all types: a pair style's, or a compute's."""
+        own = self.forces.lists.half if self.forces.lists else 0
+        return self.occasional.half_count if own is None else own
 
     def _full_neighbors(self) -> int | None:
         """Entries of a full list: a pair style's, or a compute's."""

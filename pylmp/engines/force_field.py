@@ -71,7 +71,7 @@ class ForceField:
             part.law, part.table.shape[1], part.memory, alone.law if alone else None, alone.width if alone else 0,
             newton=sim.newton_bond, velocity=style.velocity or (alone is not None and alone.velocity),
             lower_id_first=style.lower_id_first, reference=style.reference, can_break=part.can_break,
-            one_type=sim.bond_types == 1, tally=level > 0, tabled=style.data is not None, watch=style.watch, share=level > 1,
+            one_type=sim.bond_types == 1, tally=level > 0, tabled=part.tabled, watch=part.watch, share=level > 1,
         )  # fmt: skip
 
     # ---- after each rebuild -----------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ class PartForces:
         weighted = bool((self.neighbors.policy == 2).any()) and sim.has_bonds
         return pair_loop(
             part.law, part.width, newton=sim.newton_pair, velocity=style.velocity, one_type=sim.atom_types == 1,
-            weighted=weighted, tally=level > 0, tabled=style.data is not None, watch=style.watch, last=last, share=level > 1,
+            weighted=weighted, tally=level > 0, tabled=style.data is not None, watch=part.watch, last=last, share=level > 1,
             fdotr=sim.pair.settings.fdotr,
         )  # fmt: skip
 

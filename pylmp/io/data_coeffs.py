@@ -87,7 +87,7 @@ def read_pair_coeffs(section: Section, types: int) -> None:
             hint = "the smaller type comes first"
             raise ScriptError("Incorrect args for pair coefficients", words[1].span, hint=hint)
         words = [kinds[0], kinds[-1], *words[len(kinds) :]]
-        sim.pair.coeff(Args("pair_coeff", words, words[0], "pair_coeff.html"))
+        sim.pair.coeff(sim, Args("pair_coeff", words, words[0], "pair_coeff.html"))
 
 
 def read_bonded_coeffs(section: Section, kind: Kind, count: int) -> None:
@@ -102,7 +102,7 @@ def read_bonded_coeffs(section: Section, kind: Kind, count: int) -> None:
         if section.set and not own and len(words) > 1:
             raise ScriptError(f"Incorrect args for {name} coefficients", words[1].span, hint=f"{name}_style {style.name} has none")
         if section.set and own:
-            style.coeff(Args(f"{name}_coeff", [type_word, *words[1:]], words[0], f"{name}_coeff.html"))
+            style.coeff(sim, Args(f"{name}_coeff", [type_word, *words[1:]], words[0], f"{name}_coeff.html"))
 
 
 def coefficients_of(name: str) -> Kind | None:

@@ -114,7 +114,8 @@ def _coefficients(types: tuple[int, ...], values: Sequence[float]) -> str:
 
 def warn_unmixed(sim: Simulation) -> None:
     """LAMMPS's warning when pair coefficients of unlike types are lost, because a script gave them."""
-    if sim.pair is not None and not sim.pair.hybrid and any(i != j for part in sim.pair.parts for i, j in part.given):
+    part = None if sim.pair is None or sim.pair.hybrid else sim.pair.parts[0]
+    if part is not None and part.style.write is not None and any(i != j for i, j in part.given):
         sim.console.warning(_UNMIXED)
 
 

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 
 from pylmp.model.ghosts import ghost_cutoff
-from pylmp.model.pair_lists import Planned, plan
+from pylmp.model.pair_lists import Planned, plan, reaches
 from pylmp.model.simulation import Simulation
 from pylmp.model.wish import Wish
 from pylmp.text.number import eight, shortest
@@ -16,9 +16,9 @@ from pylmp.text.number import eight, shortest
 class Request:
     """One list somebody asked for. who: "pair lj/cut", "compute rdf" or "command create_bonds".
 
-    how, origin: made from another one. cut: its one cutoff, skin included; 0.0: each pair of types has its own. skipped: pairs of
-    types it leaves out. asked: the cutoff that its owner asked for. added: nobody asked for
-    it, others are made from it.
+    how, origin: made from another one. cut: its one cutoff, skin included, reach: without; 0.0: each pair of types has its own.
+    skipped: pairs of types it leaves out. asked: the cutoff that its owner asked for. added: nobody asked for it, others are made
+    from it. owner: a number of the style or compute that asked.
     """
 
     who: str
@@ -27,9 +27,11 @@ class Request:
     how: str = field(default="", compare=False)
     origin: Request | None = field(default=None, compare=False)
     cut: float = field(default=0.0, compare=False)
+    reach: float = field(default=0.0, compare=False)
     skipped: frozenset[tuple[int, int]] = frozenset()
     asked: float = 0.0
     added: bool = False
+    owner: int = 0
 
 
 def pair_requests(sim: Simulation) -> tuple[Request, ...]:
@@ -44,8 +46,8 @@ def pair_requests(sim: Simulation) -> tuple[Request, ...]:
             who = f"pair {planned.part.style.name}" if planned.part else "neighbor class addition"
             cut = planned.cut + sim.neighbor.skin if planned.cut else 0.0
             made[planned] = Request(
-                who, planned.full, how=planned.how, origin=origin, cut=cut, skipped=planned.skipped, asked=planned.asked,
-                added=planned.part is None,
+                who, planned.full, how=planned.how, origin=origin, cut=cut, reach=planned.cut, skipped=planned.skipped, asked=planned.asked,
+                added=planned.part is None, owner=sim.pair.born,
             )  # fmt: skip
         return made[planned]
 
@@ -65,7 +67,7 @@ def announce(sim: Simulation, *requests: Request) -> None:
 
 def _of_computes(sim: Simulation, own: tuple[Request, ...]) -> list[Request]:
     """What computes ask for; own: the pair styles' lists."""
-    whole = next((each for each in own if not (each.full or each.skipped or each.cut)), None)
+    whole = next((each for each in own if not (each.full or each.skipped) and reaches(sim, each.reach)), None)
     result = []
     for compute in sim.computes.values():
         wish = compute.wish(sim)
@@ -73,7 +75,7 @@ def _of_computes(sim: Simulation, own: tuple[Request, ...]) -> list[Request]:
             origin = whole if wish == Wish() else None
             how = "copy" if origin else ""
             who = f"compute {compute.style}"
-            result.append(Request(who, wish.full, True, how=how, origin=origin, cut=wish.cutoff, asked=wish.cutoff))
+            result.append(Request(who, wish.full, True, how=how, origin=origin, cut=wish.cutoff, asked=wish.cutoff, owner=compute.born))
     return result
 
 

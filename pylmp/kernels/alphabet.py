@@ -23,6 +23,7 @@ from pylmp.kernels.simd.vector import Vector
 
 WORDS: frozenset[Callable[..., Any]] = simd.WORDS | {
     laws.select, laws.sqrt, laws.fabs, laws.exp, laws.log, laws.sin, laws.cos, laws.power, laws.whole,
+    laws.single, laws.bits,
 }  # fmt: skip
 
 
@@ -36,6 +37,17 @@ def _root_instruction(typing_context, x):
         return builder.call(root, arguments)
 
     return types.float64(types.float64), generate
+
+
+@intrinsic
+def _float_bits(typing_context, x):
+    """The bits of x as a single precision number."""
+
+    def generate(context, builder, signature, arguments):
+        word = builder.bitcast(builder.fptrunc(arguments[0], ir.FloatType()), ir.IntType(32))
+        return builder.sext(word, ir.IntType(64))
+
+    return types.int64(types.float64), generate
 
 
 @overload(laws.select)
@@ -105,3 +117,13 @@ def _power(x, y):
 @overload(laws.whole)
 def _whole(x):
     return lambda x: int(x) if math.fabs(x) < 4611686018427387904.0 else 0
+
+
+@overload(laws.single)
+def _single(x):
+    return lambda x: float(types.float32(x))
+
+
+@overload(laws.bits)
+def _bits(x):
+    return lambda x: _float_bits(float(x))

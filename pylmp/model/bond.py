@@ -21,17 +21,20 @@ if TYPE_CHECKING:
 class BondPart:
     """One style at work.
 
-    table (nbt+1, width): coefficients by bond type. mine (nbt+1,) uint8: types of this style.
+    table (nbt+1, width): coefficients by bond type; of a style with tables also where each type's begin in data.
+    mine (nbt+1,) uint8: types of this style.
     recorder: the fix that keeps records of broken bonds, or None.
     """
 
     def __init__(self, style: BondStyle, options: Options, types: int) -> None:
         self.style = style
         self.options = options
-        self.table = np.zeros((types + 1, len(style.coeffs)))
-        self.data = np.zeros(1)
+        self.tabled = style.read is not None
+        self.table = np.zeros((types + 1, len(style.coeffs) + self.tabled))
+        self.data = np.zeros(0 if self.tabled else 1)
         self.mine = np.zeros(types + 1, np.uint8)
         self.law = style.law(options)
+        self.watch = style.watch(options) if style.watch else None
         self.can_break = style.can_break(options)
         self.updates_special = style.updates_special(options)
         self.recorder: Any = None
@@ -55,7 +58,7 @@ class BondPart:
     def columns(self, kinds: Ints) -> tuple[Any, ...]:
         """What the law receives of many bonds at once."""
         columns = tuple(self.style.freeze(tuple(self.table[kinds].T)))
-        return columns if self.style.data is None else (*columns, self.data)
+        return (*columns, self.data) if self.tabled else columns
 
     def evaluate(self, kinds: Ints, r2: Floats, dot: Floats, history: Floats) -> tuple[Floats, Floats]:
         """Force over r and energy of many bonds by the law itself. history: (bonds, memory)."""
@@ -75,13 +78,14 @@ class Bond:
         self.parts = parts
         self.types = types
         self.given: set[int] = set()  # types that bond_coeff named
+        self.restored = False  # it came from a restart file
 
     @property
     def memory(self) -> int:
         """Numbers a bond slot remembers: the most any part wants."""
         return max((part.memory for part in self.parts), default=0)
 
-    def coeff(self, args: Args) -> None:
+    def coeff(self, sim: Simulation, args: Args) -> None:
         """bond_coeff: a type range, under hybrid the style's name, then its coefficients."""
         kinds = args.types(self.types)
         part: BondPart | None = self.parts[0]
@@ -92,7 +96,7 @@ class Bond:
             if part is None and word.text != "none":
                 hint = " ".join(p.style.name for p in self.parts) + " none"
                 args.fail(f"Expected hybrid sub-style instead of {word.text} in bond_coeff command", word, hint=hint)
-        values = _coefficients(args, part) if part else ()
+        values = _coefficients(sim, args, part) if part else ()
         for other in self.parts:
             other.mine[kinds.start : kinds.stop] = 0
         self.given.update(kinds)
@@ -104,7 +108,7 @@ class Bond:
     def init(self, sim: Simulation) -> None:
         """Check coefficients and every restriction, in LAMMPS's order."""
         hint, manual = "bond_coeff * ... sets all", "bond_coeff.html"
-        if not self.given:
+        if not self.given and not self.restored:
             says = "Bond coeffs are not set. Status:\nBond style not yet initialized"
             raise ScriptError(says, hint=hint, manual=manual)
         if len(self.given) < self.types:
@@ -152,8 +156,13 @@ class Bond:
         return longest
 
 
-def _coefficients(args: Args, part: BondPart) -> tuple[float, ...]:
+def _coefficients(sim: Simulation, args: Args, part: BondPart) -> tuple[float, ...]:
     """The numbers after the type range (and style name)."""
+    if part.style.read is not None:
+        numbers, data = part.style.read(sim, args, part.options)
+        begin = float(len(part.data))
+        part.data = np.concatenate([part.data, data])
+        return (*numbers, begin)
     wanted = len(part.style.coeffs)
     if part.options.get("nocoeff"):
         args.rest()

@@ -42,7 +42,7 @@ class ManyBody:
     def name(self) -> str:
         return self.style.name
 
-    def coeff(self, args: Args) -> None:
+    def coeff(self, sim: Simulation, args: Args) -> None:
         """The words of KIND_coeff."""
         if self.takes_coeffs:
             kinds, values = self.style.read(args, self.types)

@@ -43,15 +43,16 @@ class Occasional:
 
     def __init__(self, sim: Simulation, own: NeighborList | None) -> None:
         self._own = own
-        wishes = {compute.wish(sim) for compute in sim.computes.values()} - {None}
-        if own is not None:
-            wishes -= {Wish()}
         mode = HALF if sim.newton_pair else HALF_OWNED
-        self._lists = {wish: NeighborList(sim, FULL if wish.full else mode, wish.cutoff) for wish in wishes if wish and sim.pair and sim.neighbor_cutoff > 0.0}
+        wishes = dict.fromkeys(compute.wish(sim) for compute in sim.computes.values())
+        self._lists: dict[Wish, NeighborList] = {}
+        for wish in wishes if sim.pair and sim.neighbor_cutoff > 0.0 else ():
+            if wish is not None:
+                self._lists[wish] = own if wish == Wish() and own else NeighborList(sim, FULL if wish.full else mode, wish.cutoff)
         self._current: set[Wish] = set()
 
     def functions(self) -> list[Function]:
-        return [function for listed in self._lists.values() for function in listed.functions()]
+        return [function for listed in self._lists.values() if listed is not self._own for function in listed.functions()]
 
     def forget(self) -> None:
         """The run's list was rebuilt."""
@@ -62,12 +63,17 @@ class Occasional:
         """Entries of a full list when it was last built; None without one."""
         return next((listed.count for wish, listed in self._lists.items() if wish.full), None)
 
+    @property
+    def half_count(self) -> int:
+        """The same of a half list; 0 without one."""
+        return next((listed.count for wish, listed in self._lists.items() if not wish.full), 0)
+
     def pairs(self, sim: Simulation, wish: Wish) -> Pairs:
         """The pairs listed for wish, with positions of now."""
-        listed = self._own if wish == Wish() and self._own else self._built(sim, wish) if wish in self._lists else None
-        if listed is None:
+        if wish not in self._lists:
             nobody = np.zeros(0, np.int64)
             return Pairs(nobody, nobody, nobody, np.zeros((0, 3)))
+        listed = self._built(sim, wish)
         first = np.repeat(np.arange(len(listed.first) - 1), np.diff(listed.first))
         entries = listed.neighbors[: listed.count].astype(np.int64)
         second, kind = entries & INDEX_MASK, (entries >> SPECIAL_SHIFT) & 3
@@ -75,7 +81,7 @@ class Occasional:
 
     def _built(self, sim: Simulation, wish: Wish) -> NeighborList:
         listed = self._lists[wish]
-        if wish not in self._current:
+        if wish not in self._current and listed is not self._own:
             listed.build(sim, ghost_cutoff(sim))
             self._current.add(wish)
         return listed

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
 from pylmp.model.atoms import Floats, Ints
+from pylmp.model.fix import BIRTHS
 from pylmp.model.pair_alone import Alone, compose, evaluate, in_order
 from pylmp.model.settings import PairSettings
 from pylmp.model.style import Options, PairStyle
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from pylmp.text.words import Args
 
 Types = tuple[int, int]
-Values = tuple[tuple[float, ...], float]  # coefficients, cutoff
+Values = tuple[tuple[Any, ...], float]  # coefficients, cutoff
 
 
 class PairPart:
@@ -50,6 +51,7 @@ class PairPart:
         self.table = np.zeros((1, 1, 0))
         self.data = np.zeros(1)
         self.energy = 0.0
+        self.watch: Function = style.watch(options) if style.watch else None
         self.law: Function = style.law(options) if style.law else None
         self.alone: Function = style.alone(options) if style.alone else self.law
 
@@ -62,9 +64,9 @@ class PairPart:
         """As pair_coeff under hybrid names it."""
         return f"{self.style.name} {self.number}" if self.number else self.style.name
 
-    def read(self, args: Args) -> Values:
+    def read(self, sim: Simulation, args: Args) -> Values:
         """The words of pair_coeff behind the types (and style name)."""
-        values = self.style.read(args, self.options)
+        values = self.style.read(sim, args, self.options)
         if len(args):
             args.fail("Incorrect args for pair coefficients", args.peek())
         return values
@@ -121,6 +123,7 @@ class Pair:
 
     acting    (i, j), i <= j -> parts that act on these types, in the order pair_coeff named them; none for `pair_coeff I J none`
     settings  as pair_modify said of all parts
+    born      number of the pair_style command that first chose it
     cut       (nt+1, nt+1) the largest cutoff of any part (after init)
     """
 
@@ -130,6 +133,7 @@ class Pair:
         self.types = types
         self.settings = PairSettings() if self.hybrid else parts[0].settings
         self.acting: dict[Types, list[PairPart]] = {}
+        self.born = next(BIRTHS)
         self.cut = np.zeros((types + 1, types + 1))
 
     @property
@@ -160,13 +164,13 @@ class Pair:
         """(force over r, energy) of pairs of atoms of types first and second, each alone; factor: their special weights."""
         return evaluate(self.working, r2, dot, first, second, factor)
 
-    def coeff(self, args: Args) -> None:
+    def coeff(self, sim: Simulation, args: Args) -> None:
         """pair_coeff: two type ranges, under hybrid the style's name, then the style's words."""
         if all(word.text.isdigit() for word in args.words[:2]) and int(args.words[0].text) > int(args.words[1].text):
             args.words[:2] = args.words[1::-1]
         first, second = args.types(self.types), args.types(self.types)
         part = self._named(args) if self.hybrid else self.parts[0]
-        values = part.read(args) if part else ((), 0.0)
+        values = part.read(sim, args) if part else ((), 0.0)
         pairs = [(i, j) for i in first for j in second if j >= i]
         if not pairs:
             args.fail(

@@ -130,6 +130,11 @@ def _from(one: Planned, other: Planned) -> bool:
     return False
 
 
+def reaches(sim: Simulation, cut: float) -> bool:
+    """A list with that cutoff for all types, 0.0: with each pair's own, holds all pairs within the largest one."""
+    return not cut or cut >= float(sim.pair.cut.max())
+
+
 class PairLists:
     """The neighbor lists of a run. all: those that are built, in this order. whole: a half list of all pairs, or None."""
 
@@ -141,15 +146,15 @@ class PairLists:
             self._make(sim, one)
         self._of = {one.part: self._made[one] for one in planned}
         whole = [one for one in planned if one.part is not None and not one.skipped]
-        plain = [one for one in planned if one.origin is None and not one.full and not one.cut]
+        plain = [one for one in planned if one.origin is None and not one.full and reaches(sim, one.cut)]
         self.whole = next((one for one in map(self._made.get, plain) if isinstance(one, NeighborList)), None)
         self._half = next((self._made[one] for one in whole if not one.full), None)
         self._full = next((self._made[one] for one in whole if one.full), None)
 
     @property
-    def half(self) -> int:
+    def half(self) -> int | None:
         """Entries that the log reports at the end of a run: LAMMPS looks at the first list of a style that acts on all types."""
-        return self._half.count if self._half else 0
+        return self._half.count if self._half else None
 
     @property
     def full(self) -> int | None:

@@ -80,8 +80,9 @@ class BondStyle:
     freeze         coefficients -> those with which evaluating one bond alone leaves its memory as it is
     writes         write_data prints its coefficients
     omp            the manual lists an /omp name: the same law
-    data           coefficients -> numbers that the law looks up; its c ends with where they begin, and with the array
-    watch          (r2, c) -> this bond must be reported
+    read           (sim, words of bond_coeff, options) -> (coeffs, numbers that the law looks up): c then ends with where these begin,
+                   and with the array of all; None: bond_coeff gives coeffs themselves
+    watch          options -> (r2, c) -> this bond must be reported
     report         (sim, part, bonds (k, 3) rows and type) does so, in order: a warning, or a ScriptError
     report_alone   (sim, part, r2 (k,), types (k,)) the same where bonds are evaluated one by one, outside the loop over all
     check          (args, coefficients) fails where they do not fit together
@@ -114,8 +115,8 @@ class BondStyle:
     mixable: bool | None = False
     writes: bool = True
     omp: bool = False
-    data: Callable[[tuple[Any, ...]], Any] | None = None
-    watch: Callable[[Any, Any], Any] | None = None
+    read: Callable[[Simulation, Args, Options], tuple[tuple[float, ...], Any]] | None = None
+    watch: Callable[[Options], Law] | None = None
     report: Callable[[Simulation, Any, Any], None] | None = None
     report_alone: Callable[[Simulation, Any, Any, Any], None] | None = None
     check: Callable[[Args, tuple[float, ...]], None] = lambda args, coeffs: None
@@ -145,7 +146,7 @@ class PairStyle:
     alone      options -> law of a pair that LAMMPS evaluates alone, for bond_style quartic; None: the same as law
     reach      (coefficients, cutoff) -> distance at which the law ends
     data       (coefficients, cutoff) -> numbers that the law looks up; its c ends with where they begin, and with the array
-    watch      (r2, c) -> this pair must be reported
+    watch      options -> (r2, c) -> this pair must be reported
     report     (sim, part, row, row) raises the ScriptError of the first such pair
     restart    what a restart file holds of it
     write      (coefficients, cutoff, whole, options) -> numbers of a line of Pair Coeffs (whole: PairIJ Coeffs); None: no such section
@@ -156,7 +157,7 @@ class PairStyle:
     coeffs: tuple[Coeff, ...]
     law: Callable[[Options], Law] | None
     settings: Callable[[Simulation, Args], Options]
-    read: Callable[[Args, Options], tuple[tuple[float, ...], float]]
+    read: Callable[[Simulation, Args, Options], tuple[tuple[Any, ...], float]]
     row: Callable[[tuple[float, ...], float, bool], tuple[float, ...]]
     mix: Callable[..., tuple[tuple[float, ...], float]] | None = None
     mixes_energy: bool = True
@@ -166,7 +167,7 @@ class PairStyle:
     alone: Callable[[Options], Law] | None = None
     reach: Callable[[tuple[float, ...], float], float] = lambda coeffs, cut: cut
     data: Callable[[tuple[Any, ...], float], Any] | None = None
-    watch: Callable[[Any, Any], Any] | None = None
+    watch: Callable[[Options], Law] | None = None
     report: Callable[[Simulation, Any, int, int], None] | None = None
     write: Callable[[tuple[float, ...], float, bool, Options], list[float]] | None = field(
         default=lambda coeffs, cut, whole, options: [*coeffs, cut] if whole else list(coeffs)

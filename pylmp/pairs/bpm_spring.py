@@ -74,7 +74,7 @@ def settings(sim: Any, args: Args) -> Options:
     return options
 
 
-def read(args: Args, options: Options) -> tuple[tuple[float, ...], float]:
+def read(sim: Any, args: Args, options: Options) -> tuple[tuple[float, ...], float]:
     wanted = 4 if options["anharmonic"] else 3
     if len(args) != wanted:
         names = "k rc gamma" + (" ka" if wanted == 4 else "")

@@ -33,7 +33,7 @@ def global_cutoff(sim: Any, args: Args) -> Options:
     return {"cut": args.number()}
 
 
-def read(args: Args, options: Options) -> tuple[tuple[float, ...], float]:
+def read(sim: Any, args: Args, options: Options) -> tuple[tuple[float, ...], float]:
     if not 2 <= len(args) <= 3:
         word = args.words[-1] if len(args) < 2 else args.words[args.at + 3]
         args.fail("Incorrect args for pair coefficients", word, hint="pair_coeff I J epsilon sigma [cutoff]")

@@ -30,7 +30,7 @@ def expanded(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
     return select(inside, force, 0.0), select(inside, energy, 0.0)
 
 
-def read(args: Args, options: Options) -> tuple[tuple[float, ...], float]:
+def read(sim: Any, args: Args, options: Options) -> tuple[tuple[float, ...], float]:
     if not 3 <= len(args) <= 4:
         word = args.words[-1] if len(args) < 3 else args.words[args.at + 4]
         args.fail("Incorrect args for pair coefficients", word, hint="pair_coeff I J epsilon sigma delta [cutoff]")

@@ -31,7 +31,7 @@ def soft(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
     return select(inside, force, 0.0), select(inside, energy, 0.0)
 
 
-def read(args: Args, options: Options) -> tuple[tuple[float, ...], float]:
+def read(sim: Any, args: Args, options: Options) -> tuple[tuple[float, ...], float]:
     if not 1 <= len(args) <= 2:
         word = args.words[-1] if len(args) < 1 else args.words[args.at + 2]
         args.fail("Incorrect args for pair coefficients", word, hint="pair_coeff I J A [cutoff]")

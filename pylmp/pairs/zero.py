@@ -23,7 +23,7 @@ def settings(sim: Any, args: Args) -> Options:
     return options
 
 
-def read(args: Args, options: Options) -> tuple[tuple[float, ...], float]:
+def read(sim: Any, args: Args, options: Options) -> tuple[tuple[float, ...], float]:
     if options["nocoeff"]:
         args.rest()
     if len(args) > 1:

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from pylmp.laws import cos, exp, fabs, log, power, select, sin, sqrt, whole
+from pylmp.laws import bits, cos, exp, fabs, log, power, select, sin, single, sqrt, whole
 
 STIFFNESS = 3.0
 
@@ -102,7 +102,17 @@ def word(name):
             out[i] = float(whole(x[i] * 1.0e3))
         return 0.0
 
-    return {f.__name__: f for f in (divide, root, magnitude, floor, bounds, grow, turn, raised, index)}[name]
+    def narrow(x: "f8*", out: "f8*", n: "i8") -> "f8":
+        for i in range(n):
+            out[i] = single(x[i])
+        return 0.0
+
+    def pattern(x: "f8*", out: "f8*", n: "i8") -> "f8":
+        for i in range(n):
+            out[i] = float(bits(x[i]))
+        return 0.0
+
+    return {f.__name__: f for f in (divide, root, magnitude, floor, bounds, grow, turn, raised, index, narrow, pattern)}[name]
 
 
 def transcendental():

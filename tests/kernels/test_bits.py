@@ -38,7 +38,7 @@ def test_composed_laws_run_as_plain_python_and_compiled(doubled: bool) -> None:
     assert np.any(ours[1] != 0.0)
 
 
-@pytest.mark.parametrize("name", ["root", "magnitude", "floor", "bounds", "grow", "turn", "raised", "index"])
+@pytest.mark.parametrize("name", ["root", "magnitude", "floor", "bounds", "grow", "turn", "raised", "index", "narrow", "pattern"])
 def test_alphabet(name: str) -> None:
     x = np.concatenate([np.random.default_rng(2).random(500) * 10.0, [0.0, 0.25, 0.5, 5e-324, 1e300, 3.0]])
     if name != "root":

@@ -16,6 +16,7 @@ from pylmp.model.registry import BONDS, PAIRS
 mp.mp.dps = 50
 RANDOM = np.random.default_rng(21)
 N = 2000
+TABLE = RANDOM.normal(0, 1, 100)
 R2 = RANDOM.uniform(0.6, 2.3, N) ** 2
 DOT = RANDOM.normal(0, 1, N)
 PLASTIC = [
@@ -37,6 +38,8 @@ BOND_LAWS = [
     ("gromos", {}, (10.3, 1.07)),
     ("harmonic/shift", {}, (10.3, 1.07, 1.9)),
     ("harmonic/shift/cut", {}, (10.3, 1.07, 1.9)),
+    ("table", {"style": 1}, (0.55, 10.0, 0.1, 20.0, 0.01 / 6.0, 1.0, 4.0, TABLE)),
+    ("table", {"style": 2}, (0.55, 10.0, 0.1, 20.0, 0.01 / 6.0, 1.0, 4.0, TABLE)),
 ]
 PAIR_LAWS = [
     ("lj/cut", {}, (1.3, 0.9), 1.9),
@@ -45,7 +48,14 @@ PAIR_LAWS = [
     ("lj/expand", {}, (1.3, 0.9, 0.17), 1.7),
     ("bpm/spring", {"anharmonic": False}, (2.3, 0.4, 0.0), 1.9),
     ("bpm/spring", {"anharmonic": True}, (2.3, 0.4, 5.1), 1.9),
+    *(("table", {"style": kind}, (0.25, 15.0 / 3.36, 3.36 / 15.0, 16.0, 0.01, TABLE), 1.9) for kind in (0, 1, 2)),
+    ("table", {"style": 3}, (0.25, float(2**22 - 1), 16.0, 64.0, 0.0, RANDOM.normal(0, 1, 6 * 64)), 1.9),
 ]
+
+
+def columns(c: tuple) -> tuple:
+    """Coefficients of many at once; what a law looks up is there once."""
+    return tuple(x if isinstance(x, np.ndarray) else np.full(N, x) for x in c)
 
 
 def test_no_law_is_forgotten() -> None:
@@ -58,7 +68,7 @@ def test_bond_law(name: str, options: dict, c: tuple) -> None:
     style = BONDS.find(name)
     law = style.law(options)
     h = (RANDOM.uniform(0.9, 1.1, N), RANDOM.normal(0, 0.05, N))[: len(style.history)]
-    whole = law(R2, DOT, h, tuple(np.full(N, x) for x in c))
+    whole = law(R2, DOT, h, columns(c))
     for q in range(N):
         one = law(float(R2[q]), float(DOT[q]), tuple(float(x[q]) for x in h), c)
         assert [np.broadcast_to(x, N)[q] for x in (whole[0], whole[1], whole[3])] == [one[0], one[1], one[3]]
@@ -71,7 +81,9 @@ def test_pair_law(name: str, options: dict, coeffs: tuple, cut: float) -> None:
     law = style.law(options)
     c = style.row(coeffs, cut, True)
     factor = RANDOM.choice([0.0, 0.5, 1.0], N)
-    force, energy = law(R2, DOT, factor, tuple(np.full(N, x) for x in c))
+    if style.data is not None:
+        c = (*c, 0.0, style.data(coeffs, cut))
+    force, energy = law(R2, DOT, factor, columns(c))
     for q in range(N):
         assert (force[q], energy[q]) == law(float(R2[q]), float(DOT[q]), float(factor[q]), c)
     assert (force == 0.0).any()
@@ -90,6 +102,7 @@ def test_functions_answer_as_c_does() -> None:
         (laws.exp, (710.0,), inf), (laws.exp, (-inf,), 0.0), (laws.log, (0.0,), -inf), (laws.log, (-1.0,), nan),
         (laws.sin, (inf,), nan), (laws.cos, (-inf,), nan), (laws.power, (0.0, -1.5), inf), (laws.power, (-2.0, 0.5), nan),
         (laws.power, (-1e200, 3.0), -inf), (laws.power, (-1e200, 2.0), inf), (laws.power, (-8.0, 3.0), -512.0),
+        (laws.single, (0.1,), 0.10000000149011612), (laws.single, (1e300,), inf), (laws.bits, (1.0,), 0x3F800000), (laws.bits, (-0.0,), -(2**31)),
         (laws.whole, (-2.7,), -2), (laws.whole, (nan,), 0), (laws.whole, (1e300,), 0),
     ]  # fmt: skip
     for function, values, expected in cases:

@@ -152,6 +152,7 @@ def _bond(sim: Simulation, force: Force, _: Kind | None) -> None:
                     part.table[kind, at.index(name)] = value
         parts.append(part)
     sim.bond = Bond(force.style, parts, sim.bond_types)
+    sim.bond.restored = True
     if blob.kept:
         parts[0].mine[1:] = 1
         sim.bond.given = set(range(1, sim.bond_types + 1))
