@@ -97,8 +97,10 @@ class PairPart:
         self.cut = np.zeros((size, size))
         rows = {pair: self.style.row(*values, self.settings.shift) for pair, values in self.all.items()}
         if self.style.data is not None:
-            begins, self.data = _tables([self.style.data(*values) for values in self.all.values()])
-            rows = {pair: (*row, begin) for (pair, row), begin in zip(rows.items(), begins, strict=True)}
+            arrays = [self.style.data(*values) for values in self.all.values()]
+            begins = np.cumsum([0, *map(len, arrays)]).tolist()
+            self.data = np.concatenate(arrays)
+            rows = {pair: (*row, begin) for (pair, row), begin in zip(rows.items(), begins, strict=False)}
         self.table = np.zeros((size, size, len(next(iter(rows.values()), ()))))
         for (i, j), row in rows.items():
             self.table[i, j] = self.table[j, i] = row
@@ -110,12 +112,6 @@ class PairPart:
             return 0.0, 0.0
         i, j = pair
         return self.style.tail(*self.all[pair], float(counts[i]), float(counts[j]))
-
-
-def _tables(arrays: list[Floats]) -> tuple[list[float], Floats]:
-    """Where each begins in the whole, and the whole."""
-    ends = np.cumsum([len(array) for array in arrays])
-    return [0.0, *map(float, ends[:-1])], np.concatenate(arrays)
 
 
 class Pair:
