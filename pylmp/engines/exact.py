@@ -174,8 +174,8 @@ class Run:
                 timers.stamp("Modify")
         self.forces.pairs(sim, wanted, setup)
         timers.stamp("Pair")
-        self.forces.bonded(sim, wanted, setup, self.breaks)
-        if self.forces.bonds:
+        if wanted or self.forces.bonds:
+            self.forces.bonded(sim, wanted, setup, self.breaks)
             timers.stamp("Bond")
         if sim.newton_pair or sim.newton_bond:
             self.reverse()

@@ -100,7 +100,9 @@ class ForceField:
         self._pairs.bind(sim)
         alone = self._alone
         table, data = (alone.table, alone.data) if alone else (np.zeros((0, 0, 0)), np.zeros(0))
-        self._shares = np.zeros((atoms.total if self._pairs.shared else 0, SHARES))
+        rows = atoms.total if self._pairs.shared else 0
+        if len(self._shares) != rows:
+            self._shares = np.zeros((rows, SHARES))
         self._bond_calls = [
             {
                 (level, may_break): kernel(functions[level]).bind(
@@ -129,7 +131,7 @@ class ForceField:
 
     def pairs(self, sim: Simulation, wanted: int, setup: bool) -> None:
         """wanted: what to sum besides forces (ENERGY | VIRIAL | ...), 0 for nothing."""
-        self._pairs.evaluate(sim, level_of(wanted), setup)
+        self._pairs.evaluate(sim, level_of(wanted) if wanted else 0, setup)
 
     def bonded(self, sim: Simulation, wanted: int, setup: bool, breaks: Breaks) -> None:
         """Bonds of each style in turn; then what breaks is booked. For forces alone no sums are touched."""

@@ -50,7 +50,9 @@ class PartForces:
 
     def bind(self, sim: Simulation) -> None:
         atoms, part = sim.atoms, self.part
-        self.shares = np.zeros((atoms.total if SHARED in self.functions else 0, SHARES))
+        rows = atoms.total if SHARED in self.functions else 0
+        if len(self.shares) != rows:
+            self.shares = np.zeros((rows, SHARES))
         self.calls = {
             level: kernel(function).bind(
                 atoms.x, atoms.v, atoms.f, atoms.type, self.neighbors.first, self.neighbors.neighbors, part.table,
@@ -63,9 +65,9 @@ class PartForces:
         """Add this part's forces; its energy from level 1 on. Raises ScriptError where the style cannot evaluate a pair."""
         if level:
             self.virial[:] = 0.0
-        if level == SHARED:
-            self.shares[:] = 0.0
-        energy = self.calls[level]()
+            if level == SHARED:
+                self.shares[:] = 0.0
+        energy = self.part.energy = self.calls[level]()
         if self.part.style.report is not None and self.noted[0]:
             self.part.style.report(sim, self.part, int(self.noted[1]), int(self.noted[2]))
         return energy
@@ -88,7 +90,9 @@ class PairForces:
     def bind(self, sim: Simulation) -> None:
         for part in self.parts:
             part.bind(sim)
-        self.shares = np.zeros((sim.atoms.total if self.shared else 0, SHARES))
+        rows = sim.atoms.total if self.shared else 0
+        if len(self.shares) != rows:
+            self.shares = np.zeros((rows, SHARES))
 
     def evaluate(self, sim: Simulation, level: int, setup: bool) -> None:
         """Add the forces of all parts; their energies from level 1 on.
@@ -100,7 +104,7 @@ class PairForces:
         self.energy = 0.0
         if not level:
             for forces in self.parts:
-                forces.part.energy = forces.evaluate(sim, level)
+                forces.evaluate(sim, 0)
             return
         self.virial[:] = 0.0
         self.shares[:] = 0.0
@@ -110,4 +114,3 @@ class PairForces:
             self.virial += forces.virial
             if level == SHARED:
                 self.shares += forces.shares
-            forces.part.energy = energy

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 _MOST = 2**28  # ghosts
+_NO_H = np.zeros(6)
 
 
 def bond_reach(sim: Simulation) -> float:
@@ -109,8 +110,9 @@ class Ghosts:
 
     def bind_refresh(self, sim: Simulation) -> Callable[[], float]:
         atoms, box = sim.atoms, sim.box
+        h = box.h if box.triclinic else _NO_H  # nobody looks at it
         return kernel(self._refresh).bind(
-            atoms.x, atoms.v, atoms.mask, self.source, self.axis, self.sign, self.place, box.lo, box.hi, box.h,
+            atoms.x, atoms.v, atoms.mask, self.source, self.axis, self.sign, self.place, box.lo, box.hi, h,
             box.rate, box.rate_group, atoms.n, atoms.total,
         )  # fmt: skip
 
