@@ -45,8 +45,8 @@ def frames(path: Path) -> list[tuple[int, list[str], np.ndarray]]:
     return result
 
 
-def simulate(script: str, folder: Path):
-    """Run script in this process on pylmp in folder; returns (simulation, screen text). Errors are raised."""
+def simulate(script: str, folder: Path, engine=None):
+    """Run script in this process on pylmp in folder, on the exact engine or another; returns (simulation, screen text). Errors are raised."""
     from pylmp.engines.exact import Exact
     from pylmp.interpreter import run_text
     from pylmp.model.console import Console
@@ -54,7 +54,7 @@ def simulate(script: str, folder: Path):
 
     folder.mkdir(parents=True, exist_ok=True)
     screen = io.StringIO()
-    sim = Simulation(Console(screen, None), Exact())
+    sim = Simulation(Console(screen, None), engine or Exact())
     before = Path.cwd()
     os.chdir(folder)
     try:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.kernels.fast import blocks
+from pylmp.kernels.fast import blocks, nobody
 from pylmp.kernels.fast import bonds as loops
 from pylmp.kernels.fast.forces import BondTerm
 from pylmp.kernels.kinds import Function
@@ -117,7 +117,7 @@ class FastBonds:
         rows = rows[order]
         nth = np.arange(len(rows)) - np.repeat(np.cumsum(held) - held, held)
         at = first[rows // LANES] + LANES * nth + rows % LANES
-        self.to[:] = 3 * n
+        self.to[:] = 3 * nobody(n)
         self.to[at], self.kind[at], self.owner[at] = 3 * partners[order], kinds[order], rows
         for k in range(self.memory):
             self.memories[k * self.slots : (k + 1) * self.slots] = 1.0

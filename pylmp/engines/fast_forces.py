@@ -10,7 +10,7 @@ import numpy as np
 from pylmp.engines.fast_bonds import FastBonds
 from pylmp.engines.fast_list import FullList
 from pylmp.kernels.exact import neighbor as neighbor_loops
-from pylmp.kernels.fast import FAR, blocks
+from pylmp.kernels.fast import FAR, blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
 from pylmp.kernels.fast.forces import TALLIES, PairTerm, force_loop
 from pylmp.kernels.simd import LANES
@@ -78,9 +78,10 @@ class FastForces:
     def rebuild(self, sim: Simulation) -> None:
         """A new neighbor list; bind the kernels to the arrays as they now are."""
         atoms, n = sim.atoms, sim.atoms.n
-        atoms.reserve(n + 2 * LANES)
-        atoms.x[n : n + 2 * LANES] = FAR  # rows that pad
-        atoms.v[n : n + 2 * LANES] = 0.0
+        atoms.reserve(nobody(n) + LANES)
+        atoms.x[n : nobody(n)] = FAR
+        atoms.x[nobody(n)] = -FAR
+        atoms.v[n : nobody(n) + 1] = 0.0
         if self._rows is None:
             self._rows = atoms.tag[:n].copy()
             self._kinds = np.ones(3 * atoms.capacity, np.int32)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pylmp.kernels.fast import blocks
+from pylmp.kernels.fast import blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, WIDE
@@ -35,7 +35,8 @@ class FullList:
         self.first, self.depth, self.edges = np.zeros(0, np.int64), np.zeros(0, np.int32), np.zeros(0, np.uint8)
         self.neighbors = np.zeros(1024, np.int32)
         self._found, self._edge = np.zeros(0, np.int32), np.zeros(0, np.uint8)
-        self._listed = np.zeros(0, np.int32)
+        self._listed = self._start = self._stamp = self._cell = self._order = np.zeros(0, np.int32)
+        self._near = [np.zeros(0, np.float32)] * 3
         self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]
         self._candidate_rows = np.zeros(self._room, np.int32)
         self.count = 0
@@ -77,7 +78,7 @@ class FullList:
         while True:
             entries = kernel(self._weave).bind(
                 self._listed, self._width, self._found, self._edge, self.first, self.depth, self.edges, self.neighbors,
-                len(self.neighbors), n, blocks(n),
+                len(self.neighbors), nobody(n), blocks(n),
             )()  # fmt: skip
             if entries != loops.ROOM:
                 break

@@ -16,11 +16,16 @@ from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, count_up, gather, load, some, splat_whole, store
 from pylmp.laws import select
 
-FAR = 1.0e9  # where the padding stands
+FAR = 1.0e9  # where rows that fill the last block stand; those that fill neighbor lists stand opposite, far from these too
 
 
 def blocks(rows: int) -> int:
     return -(-rows // LANES)
+
+
+def nobody(rows: int) -> int:
+    """The row that fills neighbor lists and bonds."""
+    return LANES * blocks(rows)
 
 
 def places(block: int) -> Any:

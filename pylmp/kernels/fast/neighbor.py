@@ -211,10 +211,10 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
 def weaving() -> Function:
     def weave(
         listed: "i4*", width: "i8", found: "i4*", edge: "u1*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", room: "i8",
-        nobody: "i8", blocks: "i8",
+        filler: "i8", blocks: "i8",
     ) -> "f8":
         """Rows of eight atoms side by side. neighbors[first[b] + 8 k ...]: entry k of the eight rows of block b, depth[b] of them;
-        edges[b]: edge of any of its rows; nobody: the row that pads. Returns how many entries, or ROOM."""
+        edges[b]: edge of any of its rows; filler: the row that pads. Returns how many entries, or ROOM."""
         at = 0
         for b in range(blocks):
             deepest = 0
@@ -231,7 +231,7 @@ def weaving() -> Function:
             rows = count_up(0, LANES) * splat_whole(width, LANES)
             for k in range(deepest):
                 j = gather(listed, rows, LANES * b * width + k)
-                store(neighbors, at, select(have > k, j, splat_whole(nobody, LANES)) * splat_whole(3, LANES))
+                store(neighbors, at, select(have > k, j, splat_whole(filler, LANES)) * splat_whole(3, LANES))
                 at += LANES
         return float(at)
 
