@@ -59,7 +59,7 @@ def change_box(sim: Simulation, args: Args) -> None:
     atoms.clear_ghosts()
     sim.box.enter(atoms.x[: atoms.n])
     sim.box.wrap(atoms)
-    sim.box.shrink(atoms)
+    sim.box.shrink(atoms, sim.natoms)
     sim.box.leave(atoms.x[: atoms.n])
     before = copy.deepcopy(sim.box)
     for this in operations:
@@ -85,7 +85,7 @@ def _shrink(sim: Simulation) -> None:
     """Shrink-wrapped faces to the atoms."""
     x = sim.atoms.x[: sim.atoms.n]
     sim.box.enter(x)
-    sim.box.shrink(sim.atoms)
+    sim.box.shrink(sim.atoms, sim.natoms)
     sim.box.leave(x)
 
 

@@ -68,7 +68,7 @@ def displace_atoms(sim: Simulation, args: Args) -> None:
     x = atoms.x[: atoms.n]
     sim.box.remap(x, atoms.image[: atoms.n])
     sim.box.enter(x)
-    sim.box.shrink(atoms)
+    sim.box.shrink(atoms, sim.natoms)
     sim.box.leave(x)
     atoms.clear_ghosts()
     if atoms.n != sim.natoms:  # they were lost before

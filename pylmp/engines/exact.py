@@ -209,16 +209,16 @@ class Run:
         self.breaks.edit_special(sim)
         if not setup:
             self.call("pre_exchange")
+        sorts = sort and sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0)
+        if setup and sorts:
+            self.sorter.set_up(sim)
         atoms.clear_ghosts()
         sim.box.enter(atoms.x[: atoms.n])
         sim.box.wrap(atoms)
-        sim.box.shrink(atoms)
+        sim.box.shrink(atoms, sim.natoms)
         remove_lost(sim)
-        if sort and sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0):
-            if setup:
-                self.sorter.lay_out(sim)
-            if setup or sim.step >= self.sorter.next:
-                self.sorter.sort(sim)
+        if sorts and (setup or sim.step >= self.sorter.next):
+            self.sorter.sort(sim)
         self.timers.stamp("Comm")
         cutoff = ghost_cutoff(sim, warn=sim.box.changing and not setup)
         self.ghosts.build(sim, cutoff)

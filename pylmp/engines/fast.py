@@ -145,7 +145,7 @@ class FastRun(Run):
         atoms.clear_ghosts()
         box.wrap(atoms)
         self.forces.measure(sim)
-        if box.shrinking and atoms.n:
+        if box.shrinks(atoms, sim.natoms):
             box.shrink_to(self.forces.least, self.forces.most)
         leaving = bool(((self.forces.least < box.lo) | (self.forces.most >= box.hi)).any())
         sorting = bool(sort and sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0)) and (setup or sim.step >= self.sorter.next)
@@ -157,7 +157,7 @@ class FastRun(Run):
             remove_lost(sim)
         if sorting:
             if setup:
-                self.sorter.lay_out(sim)
+                self.sorter.set_up(sim)
             self.sorter.sort(sim)
         self.timers.stamp("Comm")
         if setup:

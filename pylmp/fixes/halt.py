@@ -1,6 +1,8 @@
-"""fix ID GROUP halt N ATTRIBUTE OPERATOR VALUE [error hard|soft|continue] [message yes|no] [path NAME]: end a run when a condition holds.
+"""fix ID GROUP halt N ATTRIBUTE OPERATOR VALUE [error hard|soft|continue] [message yes|no] [path NAME] [universe yes|no]:
+end a run when a condition holds.
 
-ATTRIBUTE is bondmax (longest bond), tlimit (seconds of wall time since the run began), diskfree (megabytes free at path) or
+ATTRIBUTE is bondmax (longest bond), tlimit (seconds of wall time since the run began; LAMMPS guesses from half of it at which step it
+will be over, here one looks at the clock), diskfree (megabytes free at path) or
 an equal-style variable; OPERATOR < <= > >= == != or |^. Looked at every N steps. hard: an error; soft: the run ends, and no later
 one takes place; continue: only this run ends. Source: LAMMPS manual, fix_halt.html.
 """
@@ -63,11 +65,13 @@ class Halt(Fix):
         self._looked = -1
 
     def _keyword(self, args: Args, key: Word) -> None:
-        if key.text not in ("error", "message", "path"):
-            args.fail(f"Unknown fix halt keyword {key.text}", key, hint="error message path")
+        if key.text not in ("error", "message", "path", "universe"):
+            args.fail(f"Unknown fix halt keyword {key.text}", key, hint="error message path universe")
         args.need(1, key.text)
         if key.text == "message":
             self.message = args.yes()
+        elif key.text == "universe":
+            args.yes()  # whether other partitions end too: there are none
         elif key.text == "path":
             self.path = args.word().text
         else:
@@ -124,7 +128,8 @@ class Halt(Fix):
         if name == "bondmax":
             return _longest_bond(sim)
         if name == "tlimit":
-            return time.perf_counter() - float(sim.output.started[0])
+            timed = sim.timer.style != "off"  # LAMMPS then has no clock
+            return time.perf_counter() - float(sim.output.started[0]) if timed else 0.0
         if name == "diskfree":
             return self._free()
         with self.reading(sim, self._next(sim)):

@@ -99,7 +99,7 @@ class Reader:
             self.history.restore_box(sim, self.header.lo, self.header.hi)
         else:
             sim.box.enter(x)
-            sim.box.shrink(sim.atoms)
+            sim.box.shrink(sim.atoms, sim.natoms)
             sim.box.leave(x)
         if sim.has_bonds:
             build_special(sim)

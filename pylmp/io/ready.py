@@ -51,7 +51,7 @@ def wrap_atoms(sim: Simulation, ghosts: Ghosts | None = None) -> float:
     atoms.clear_ghosts()
     box.enter(atoms.x[: atoms.n])
     box.wrap(atoms)
-    box.shrink(atoms)
+    box.shrink(atoms, sim.natoms)
     if box.lost(atoms):
         for listed in sim.bond_lists:
             listed.copy_back(sim)

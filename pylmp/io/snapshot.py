@@ -264,7 +264,7 @@ class Reader:
         sim, atoms = self.sim, self.sim.atoms
         sim.box.remap(atoms.x[: atoms.n], atoms.image[: atoms.n])
         sim.box.enter(atoms.x[: atoms.n])
-        sim.box.shrink(atoms)
+        sim.box.shrink(atoms, sim.natoms)
         sim.box.leave(atoms.x[: atoms.n])
         sim.natoms = atoms.n
 

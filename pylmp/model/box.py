@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pylmp.kernels.exact import wrapping
-from pylmp.kernels.exact.wrapping import ten_bits
+from pylmp.kernels.exact.wrapping import ten_bits, walk
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.store import kernel
 from pylmp.model.atoms import Atoms, Floats, Ints
@@ -23,11 +23,17 @@ from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import shortest
 
 FAR = 10.0  # box lengths: atoms farther out are wrapped one by one
+_OPEN = 1.0e20  # LAMMPS seeks the least coordinate from here down, the greatest from its negative up
 FARTHEST = 1.0e6  # box lengths: nobody means an atom farther out, and LAMMPS would wrap it for ever
 _FAR = 16.0  # box lengths between two atoms that LAMMPS does not look beyond
 SHRINK_MARGIN = 1.0e-4  # of the box length: how far a shrink-wrapped face stays outside the extreme atom
 _WRAP, _OUTSIDE, _ALL = wrapping.wrap(), wrapping.outside(), np.ones(3, np.int64)
 Boundary = tuple[tuple[str, str], ...]
+
+
+def extremes(x: Floats) -> tuple[Floats, Floats]:
+    """(3,) least and greatest coordinates of each direction, as LAMMPS finds them."""
+    return np.minimum(x.min(axis=0), _OPEN), np.maximum(x.max(axis=0), -_OPEN)
 
 
 def check_near(separations: Floats, length: float) -> None:
@@ -165,11 +171,16 @@ class Box:
                 self.least_hi[d] = hi[d]
         self.place(lo, hi)
 
-    def shrink(self, atoms: Atoms) -> None:
-        """Move shrink-wrapped faces to the extreme atoms, plus the margin. Atoms are in frame coordinates."""
-        if atoms.n and self.shrinking:
-            x = atoms.x[: atoms.n]
-            self.shrink_to(x.min(axis=0), x.max(axis=0))
+    def shrink(self, atoms: Atoms, natoms: int) -> None:
+        """Move shrink-wrapped faces to the extreme atoms, plus the margin. Atoms are in frame coordinates; natoms counts lost ones too."""
+        if self.shrinks(atoms, natoms):
+            self.shrink_to(*extremes(atoms.x[: atoms.n]))
+
+    def shrinks(self, atoms: Atoms, natoms: int) -> bool:
+        """There are faces to be moved, and atoms. Raises ScriptError."""
+        if natoms and not atoms.n and self.shrinking:
+            raise ScriptError("Illegal simulation box", hint="all atoms are lost, and shrink-wrapped faces have nothing to follow")
+        return bool(atoms.n) and self.shrinking
 
     def shrink_to(self, least: Floats, most: Floats) -> None:
         """The same, of atoms between least and most (3,)."""
@@ -181,7 +192,7 @@ class Box:
             if high in "sm":
                 face = most[d] + self.margin[d]
                 hi[d] = face if high == "s" else max(face, self.least_hi[d])
-        if (lo >= hi).any():
+        if (lo > hi).any():
             raise ScriptError("Illegal simulation box", hint="an atom is beyond the fixed face opposite a shrink-wrapped one")
         self.place(lo, hi)
 
@@ -204,7 +215,9 @@ class Box:
     # ---- periodic images --------------------------------------------------------------------------------------
 
     def wrap(self, atoms: Atoms) -> None:
-        """LAMMPS's pbc: periodic coordinates move by at most one box length a side, in place, in frame coordinates."""
+        """LAMMPS's pbc: periodic coordinates move by at most one box length a side, in place, in frame coordinates. Raises ScriptError."""
+        if not np.isfinite(atoms.x[: atoms.n]).all():
+            raise ScriptError("Non-numeric atom coords - simulation unstable", hint="a smaller timestep, or forces that do not diverge")
         self._wraps[:] = self.periodic
         kernel(_WRAP).bind(
             atoms.x, atoms.v, atoms.image, atoms.mask, *self.frame, self._wraps, self.rate, self.rate_group, atoms.n
@@ -232,7 +245,7 @@ class Box:
             if (np.abs(x[:, d] - lo) > FARTHEST * length).any():
                 raise ScriptError("Atom is too far outside the periodic box", hint=f"within {FARTHEST:g} box lengths")
             for row in np.flatnonzero(np.abs(x[:, d] - lo) > FAR * length).tolist():
-                x[row, d], turns = _walk(float(x[row, d]), float(lo), float(hi), float(length))
+                x[row, d], turns = walk(float(x[row, d]), float(lo), float(hi), float(length))
                 image[row, d] = ten_bits(image[row, d] + turns)
             while (out := x[:, d] < lo).any():
                 x[out, d] += length
@@ -282,13 +295,3 @@ class Box:
             while (out := np.abs(column) > half).any():
                 column[out] += np.where(column[out] < 0.0, length, -length)
         return delta
-
-
-def _walk(x: float, lo: float, hi: float, length: float) -> tuple[float, int]:
-    """x wrapped by one length after the other, and what its image flag gains."""
-    turns = 0
-    while x < lo:
-        x, turns = x + length, turns - 1
-    while x >= hi:
-        x, turns = x - length, turns + 1
-    return x, turns

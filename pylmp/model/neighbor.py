@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 _SMALL = 1.0e-6  # of the box length: how far beyond the ghosts the grid reaches
 _MANY = 2**31 - 1  # LAMMPS counts bins in 32 bits
+_ROOM = 2**28  # bins for which there is room: their table takes 2 GB
+_FLEW = "an atom flew off and took a shrink-wrapped face along: a smaller timestep, or boundary f"
 _ENDLESS = np.full(3, -1.0e300), np.full(3, 1.0e300)  # a box for everybody
 _FLAT = 100.0  # bins, as large as they should be, that would fit into the neighbor cutoff of a box that flat
 EXCLUDE, ORDINARY, FLAGGED = 0, 1, 2
@@ -48,17 +50,15 @@ class Grid:
         inverse = [1.0, 1.0, 1.0]
         bin_size = sim.neighbor.bin_size or 0.5 * cutoff
         per_bin = 1.0 / bin_size
-        if (bin_size / (highs - lows) > _FLAT).any():
+        lengths = highs - lows
+        if not (lengths[: sim.dimension] * per_bin <= _MANY).all():
+            raise ScriptError("Domain too large for neighbor bins", manual="Errors_details.html#err0017", hint=_FLEW)
+        if (bin_size > _FLAT * lengths).any():
             page = "Errors_details.html#err0015"
             raise ScriptError("Cannot use neighbor bins - box size << cutoff", hint="a thicker box", manual=page)
         for d in range(sim.dimension):
             lo, hi = float(lows[d]), float(highs[d])
             length = hi - lo
-            if not length * per_bin <= _MANY:
-                raise ScriptError(
-                    "Domain too large for neighbor bins", manual="Errors_details.html#err0017",
-                    hint="an atom flew off and took a shrink-wrapped face along: a smaller timestep, or boundary f",
-                )  # fmt: skip
             count[d] = max(1, int(length * per_bin))
             self.width[d] = length / count[d]
             inverse[d] = 1.0 / self.width[d]
@@ -78,7 +78,9 @@ class Grid:
         self.inverse = np.array(inverse)
         self.bins = size[0] * size[1] * size[2]
         if self.bins > _MANY:
-            raise ScriptError("Too many neighbor bins", hint="a smaller box, or a larger cutoff")
+            raise ScriptError("Too many neighbor bins", hint=_FLEW)
+        if self.bins > _ROOM:  # LAMMPS says so where memory ends
+            raise ScriptError(f"Failed to allocate {4 * self.bins} bytes for array neigh:binhead", hint=_FLEW)
 
     @staticmethod
     def _reached(box: Box, ghost_cutoff: float) -> tuple[Floats, Floats]:

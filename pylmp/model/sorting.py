@@ -25,7 +25,13 @@ class Sorter:
         self._inverse: Floats = np.ones(3)
         self._low: Floats = np.zeros(3)
 
-    def lay_out(self, sim: Simulation) -> None:
+    def set_up(self, sim: Simulation) -> None:
+        """Before a run, in the box as it is then. Raises ScriptError."""
+        self._lay_out(sim)
+        if math.prod(self._counts.tolist()) >= _MOST:
+            raise ScriptError("Too many atom sorting bins", hint="a smaller box, or atom_modify sort 0 0")
+
+    def _lay_out(self, sim: Simulation) -> None:
         size = sim.sort.bin_size or 0.5 * sim.neighbor_cutoff
         per_bin = 1.0 / size
         self._low, high = sim.box.brick(*sim.box.frame)
@@ -35,15 +41,13 @@ class Sorter:
             flat = d == 2 and sim.dimension == 2
             self._counts[d] = max(1, int(many)) if many < _MOST and not flat else 1  # LAMMPS's count overflows beyond
             self._inverse[d] = self._counts[d] / length
-        if math.prod(self._counts.tolist()) >= _MOST:
-            raise ScriptError("Too many atom sorting bins", hint="a smaller box, or atom_modify sort 0 0")
 
     def sort(self, sim: Simulation) -> None:
         """Stable sort of the owned atoms by bin, x fastest. They are in frame coordinates."""
         every = sim.sort.every
         self.next = (sim.step // every) * every + every
         if sim.box.changing:
-            self.lay_out(sim)
+            self._lay_out(sim)
         if int(np.prod(self._counts)) == 1:
             return
         atoms = sim.atoms

@@ -61,7 +61,7 @@ class Temperature(Compute):
         dof = self.dof(sim)
         if dof < 0.0 and rows.any():
             raise ScriptError("Temperature compute degrees of freedom < 0", hint="more atoms, or a smaller extra/dof")
-        return self.of(sim, t, dof) if dof > 0.0 else 0.0
+        return self.of(sim, t, dof) if dof > 0.0 else t * 0.0  # not 0.0 where t is infinite
 
     @staticmethod
     def of(sim: Simulation, t: float, dof: float) -> float:

@@ -12,7 +12,7 @@ from typing import ClassVar, Self
 import numpy as np
 
 from pylmp.model.atoms import Atoms, Floats, Ints
-from pylmp.model.box import Boundary, Box, check_near
+from pylmp.model.box import Boundary, Box, check_near, extremes
 from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
 
@@ -113,12 +113,12 @@ class Triclinic(Box):
             raise ScriptError("Cannot skew triclinic box in z for 2d simulation", hint="xz and yz are 0.0")
         super().set_initial(console)
 
-    def shrink(self, atoms: Atoms) -> None:
+    def shrink(self, atoms: Atoms, natoms: int) -> None:
         """Extremes are sought among fractions. All atoms pass through positions, and are wrapped once more."""
-        if not (atoms.n and self.shrinking):
+        if not self.shrinks(atoms, natoms):
             return
         f = atoms.x[: atoms.n]
-        least, most = f.min(axis=0), f.max(axis=0)
+        least, most = extremes(f)
         self.leave(f)
         self.shrink_to(*(self.h[:3] * extreme + self.lo for extreme in (least, most)))
         self.enter(f)

@@ -43,9 +43,10 @@ class Format:
             return self.python % value
         if self.whole:
             value = int(value) if math.isfinite(value) else 0
-        text: str = self.python % value
         if math.isnan(value) and math.copysign(1.0, value) < 0.0:
-            return text.replace("nan", "-nan").replace("NAN", "-NAN")
+            signed: str = self.python % -math.inf
+            return signed.replace("inf", "nan").replace("INF", "NAN")
+        text: str = self.python % value
         return text
 
 

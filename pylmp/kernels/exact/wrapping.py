@@ -78,3 +78,13 @@ def beyond(x: "f8*", lo: "f8*", hi: "f8*", which: "i8*", start: int, stop: int) 
 def ten_bits(image: Any) -> Any:
     """As LAMMPS keeps image flags, -512 to 511."""
     return ((image + 512) & 1023) - 512
+
+
+def walk(x: float, lo: float, hi: float, length: float) -> tuple[float, int]:
+    """x wrapped by one length after the other, and what its image flag gains."""
+    turns = 0
+    while x < lo:
+        x, turns = x + length, turns - 1
+    while x >= hi:
+        x, turns = x - length, turns + 1
+    return x, turns
