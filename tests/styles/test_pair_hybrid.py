@@ -72,7 +72,7 @@ def script(seed: int) -> str:
         dice.choice((0, 1, 2)),
     )  # fmt: skip
     lines.append(f"run {dice.randint(15, 25)}")
-    if dice.random() < 0.3:
+    if dice.random() < 0.3 and "pair_coeff 1 1 none" not in lines:  # LAMMPS then adds memory that nobody wrote to the energy
         lines += [f"pair_coeff 1 1 {calls[0]} {COEFFS[names[0]].format(2.2)}", "run 10"]
     head = CELL.format(newton=dice.choice(NEWTON), types=types, kinds=kinds, weights=weights, bond=bond, skin=dice.choice((0.2, 0.3)))
     return head + "\n".join(line.strip() for line in lines) + "\n"
