@@ -10,32 +10,18 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pylmp.model.atom_style import ATOM_STYLES
-from pylmp.model.registry import (
-    ANGLES,
-    BONDS,
-    COMMANDS,
-    COMPUTES,
-    DIHEDRALS,
-    DUMPS,
-    FIXES,
-    IMPROPERS,
-    MINIMIZERS,
-    PAIRS,
-    REGIONS,
-    THERMOS,
-    Registry,
-)  # fmt: skip
+from pylmp.model.registry import REGISTRIES, THERMOS
 from pylmp.model.unknown import only_lammps
 from pylmp.text.diagnostic import MANUAL
 from pylmp.text.variable_styles import READERS as VARIABLE_STYLES
 
 ROOT = Path(__file__).parents[1]
 PAGES = {"dump": "dump.html", "region": "region.html", "minimize": "min_style.html", "thermo": "thermo_style.html"}
-KINDS: list[tuple[str, str, Registry]] = [
-    ("Bond styles", "bond", BONDS), ("Pair styles", "pair", PAIRS), ("Fixes", "fix", FIXES), ("Computes", "compute", COMPUTES),
-    ("Regions", "region", REGIONS), ("Dumps", "dump", DUMPS), ("Minimizers", "minimize", MINIMIZERS), ("Thermo styles", "thermo", THERMOS),
-    ("Angle styles", "angle", ANGLES), ("Dihedral styles", "dihedral", DIHEDRALS), ("Improper styles", "improper", IMPROPERS),
-]  # fmt: skip
+TITLES = {
+    "command": "Commands", "bond": "Bond styles", "pair": "Pair styles", "fix": "Fixes", "compute": "Computes", "region": "Regions",
+    "dump": "Dumps", "minimize": "Minimizers", "thermo": "Thermo styles", "angle": "Angle styles", "dihedral": "Dihedral styles",
+    "improper": "Improper styles",
+}  # fmt: skip
 HEAD = """# What runs here, and what shows it
 
 Written by `python docs/coverage.py` from the registries and the decks. *identical*: the deck is run here and on LAMMPS 22 Jul 2025 in the
@@ -106,11 +92,10 @@ def table(decks: Decks, title: str, kind: str, rows: list[tuple[str, str]], lack
 def coverage() -> str:
     """The text of docs/coverage.md."""
     decks = Decks()
-    rows = [(name, MANUAL + command.manual) for name, command in COMMANDS]
-    lines = table(decks, "Commands", "command", rows, only_lammps("command"))
-    for title, kind, registry in KINDS:
+    lines = []
+    for kind, title in TITLES.items():
         rows = []
-        for name, value in registry:
+        for name, value in {**REGISTRIES, "thermo": THERMOS}[kind]:
             page = PAGES.get(kind) or getattr(value, "manual", "") or f"{kind}_{name.replace('/', '_')}.html"
             rows.append((name, MANUAL + page))
         lines += table(decks, title, kind, rows, only_lammps(kind))

@@ -15,19 +15,7 @@ import numpy as np
 from pylmp import __version__
 from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.model.ghosts import ghost_cutoff
-from pylmp.model.registry import (
-    ANGLES,
-    BONDS,
-    COMMANDS,
-    COMPUTES,
-    DIHEDRALS,
-    DUMPS,
-    FIXES,
-    IMPROPERS,
-    MINIMIZERS,
-    PAIRS,
-    REGIONS,
-)  # fmt: skip
+from pylmp.model.registry import REGISTRIES
 from pylmp.model.simulation import Simulation
 from pylmp.text.number import eight
 
@@ -203,22 +191,22 @@ def coeffs(sim: Simulation) -> str:
     return text
 
 
-_NAMES: dict[str, tuple[str, Callable[[], list[str]]]] = {
-    "atom": ("Atom", lambda: sorted(ATOM_STYLES)), "integrate": ("Integrate", lambda: ["verlet"]),
-    "minimize": ("Minimize", MINIMIZERS.names), "pair": ("Pair", PAIRS.names), "bond": ("Bond", BONDS.names),
-    "angle": ("Angle", ANGLES.names), "dihedral": ("Dihedral", DIHEDRALS.names), "improper": ("Improper", IMPROPERS.names),
-    "kspace": ("KSpace", list), "fix": ("Fix", FIXES.names), "compute": ("Compute", COMPUTES.names),
-    "region": ("Region", REGIONS.names), "dump": ("Dump", DUMPS.names), "command": ("Command", COMMANDS.names),
+_TITLES = {
+    "atom": "Atom", "integrate": "Integrate", "minimize": "Minimize", "pair": "Pair", "bond": "Bond", "angle": "Angle",
+    "dihedral": "Dihedral", "improper": "Improper", "kspace": "KSpace", "fix": "Fix", "compute": "Compute", "region": "Region",
+    "dump": "Dump", "command": "Command",
 }  # fmt: skip
-STYLES = (*_NAMES, "all")
+STYLES = (*_TITLES, "all")
 
 
 def styles(which: str) -> str:
     """The names of all styles of a kind, or of all kinds."""
     text = "\nStyles information:\n"
-    for kind, (title, names) in _NAMES.items():
+    others = {"atom": sorted(ATOM_STYLES), "integrate": ["verlet"], "kspace": []}
+    for kind, title in _TITLES.items():
         if which in (kind, "all"):
-            text += f"\n{title} styles:\n\n{_columns(names())}\n\n"
+            names = others[kind] if kind in others else REGISTRIES[kind].names()
+            text += f"\n{title} styles:\n\n{_columns(names)}\n\n"
     return text
 
 

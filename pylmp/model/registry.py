@@ -105,6 +105,12 @@ REGIONS: Registry[Any] = Registry("region style", "pylmp.regions")
 MINIMIZERS: Registry[Any] = Registry("minimize style", "pylmp.minimizers")
 THERMOS: Registry[Any] = Registry("thermo style", "pylmp.thermo")
 
+# By the word that LAMMPS's `info styles` has for a kind.
+REGISTRIES: dict[str, Registry[Any]] = {
+    "minimize": MINIMIZERS, "pair": PAIRS, "bond": BONDS, "angle": ANGLES, "dihedral": DIHEDRALS, "improper": IMPROPERS,
+    "fix": FIXES, "compute": COMPUTES, "region": REGIONS, "dump": DUMPS, "command": COMMANDS,
+}  # fmt: skip
+
 
 def command(name: str, *, manual: str = "", needs_box: bool = False) -> Callable[[Any], Any]:
     """Make the decorated function ``run(simulation, args)`` the input command name."""

@@ -11,29 +11,12 @@ from functools import cache
 from typing import Any, NoReturn
 
 from pylmp.model.atom_style import ATOM_STYLES
-from pylmp.model.registry import (
-    ANGLES,
-    BONDS,
-    COMMANDS,
-    COMPUTES,
-    DIHEDRALS,
-    DUMPS,
-    FIXES,
-    IMPROPERS,
-    MINIMIZERS,
-    PAIRS,
-    REGIONS,
-    Registry,
-)  # fmt: skip
+from pylmp.model.registry import REGISTRIES, Registry
 from pylmp.text.diagnostic import Unsupported
 from pylmp.text.grammar import folder
 from pylmp.text.words import Args, Word
 
 _SUFFIX = re.compile(r"/(omp|opt|kk|gpu|intel)$")
-_REGISTRIES: dict[str, Registry[Any]] = {
-    "pair": PAIRS, "bond": BONDS, "angle": ANGLES, "dihedral": DIHEDRALS, "improper": IMPROPERS, "fix": FIXES, "compute": COMPUTES,
-    "dump": DUMPS, "region": REGIONS, "command": COMMANDS, "minimize": MINIMIZERS,
-}  # fmt: skip
 _WORDS = {"hybrid", "hybrid/overlay", "none"}  # styles that their command makes itself
 # Where a command names a style: what kind, which word.
 STYLED = {
@@ -57,7 +40,7 @@ def _here(kind: str, name: str) -> bool:
     }  # fmt: skip
     if kind in others:
         return others[kind](name)
-    return _REGISTRIES[kind].find(name) is not None or (name in _WORDS and kind in ("pair", "bond", "angle", "dihedral", "improper"))
+    return REGISTRIES[kind].find(name) is not None or (name in _WORDS and kind in ("pair", "bond", "angle", "dihedral", "improper"))
 
 
 def is_elsewhere(kind: str, name: str) -> bool:
