@@ -1,4 +1,4 @@
-"""The door: `pylmp in.script` as `lmp -in in.script`, and `pylmp diff`.
+"""The door: `pylmp in.script` as `lmp -in in.script`, and `pylmp diff`, `pylmp bench`.
 
 Exit codes: 0 done, the script's own with quit, 1 the script or the run is wrong, 2 wrong usage, 4 diff found a difference,
 5 LAMMPS has it and pylmp does not, 130 interrupted.
@@ -35,6 +35,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from pylmp.tools.diff import main as diff
 
         return _guarded(diff, words[1:])
+    if words[:1] == ["bench"]:
+        from pylmp.tools.bench import main as bench
+
+        return _guarded(bench, words[1:])
     if words[:1] == ["restart"]:
         return _restart(words[1:])
     if words[:1] == ["run"]:
@@ -80,7 +84,7 @@ def _guarded(tool: Callable[[list[str]], int], words: list[str]) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="pylmp", allow_abbrev=False,
-        description="Run a LAMMPS input script. `pylmp diff SCRIPT` compares a run with real LAMMPS; "
+        description="Run a LAMMPS input script. `pylmp diff SCRIPT` compares a run with real LAMMPS; `pylmp bench SCRIPT` measures both; "
         "`pylmp restart info|to-data FILE` looks into a restart file.",
         epilog="Switches are those of lmp. Put the script first: -var takes all words up to the next switch.",
     )  # fmt: skip

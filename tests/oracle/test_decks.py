@@ -12,7 +12,13 @@ from pathlib import Path
 import pytest
 
 INPUTS = Path(__file__).parents[2] / "inputs"
-DECKS = sorted(deck for deck in INPUTS.glob("*/in.*") if "unbreakable" not in deck.name)
+DECKS = sorted(deck for deck in INPUTS.glob("*/in.*") if "unbreakable" not in deck.name and deck.parent.name != "bench")
+BENCH = {  # the decks of speed, small: variables, and what must have happened
+    "in.A_melt": "ny 4 nz 6 settle 60 steps 60", "in.B_melt_long": "nx 32 ny 6 nz 6 settle 60 steps 30",
+    "in.C_impact": "shrink 0.4 steps 100", "in.C2_impact_mild": "shrink 0.4 steps 100", "in.D_sheet_2000": "n 20 steps 300",
+    "in.D_sheet_200": "steps 300", "in.E_network": "cells 8 steps 200", "in.F_liquid": "cells 6 settle 60 steps 60",
+    "in.G_two_types": "ny 4 nz 6 settle 60 steps 60",
+}  # fmt: skip
 LEAST_STEPS = 1000
 
 
@@ -51,6 +57,15 @@ def test_identical(deck: Path, tmp_path: Path) -> None:
     assert compared["file pylmp-diff.atoms"] > 0
     if "bond_style" in deck.read_text():
         assert compared["file pylmp-diff.bonds"] > 0
+
+
+@pytest.mark.parametrize("name", sorted({*BENCH, *(path.name for path in (INPUTS / "bench").glob("in.*"))}))
+def test_a_deck_of_bench_is_identical(name: str) -> None:
+    words = BENCH[name].split()
+    pairs = zip(words[::2], words[1::2], strict=True)
+    report = diff(INPUTS / "bench" / name, *(word for pair in pairs for word in ("-var", *pair)))
+    assert report["verdict"] == "identical", failures(report)
+    assert report["dialect"] == []  # LAMMPS runs them unchanged
 
 
 @pytest.mark.parametrize("deck", DECKS, ids=[d.name for d in DECKS])
