@@ -19,7 +19,10 @@ _KILO = 1 if sys.platform == "darwin" else 1024  # the unit of ru_maxrss
 
 @dataclass(frozen=True)
 class Child:
-    """How it ended. seconds: from start to end. peak: bytes. said: what it wrote to both streams."""
+    """How it ended. seconds: from start to end. said: what it wrote to both streams.
+
+    peak: bytes, never below what the starting process itself holds (a system counts a child from its fork on).
+    """
 
     code: int
     seconds: float

@@ -1,0 +1,1 @@
+"""pylmp bench."""

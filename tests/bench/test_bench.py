@@ -1,0 +1,271 @@
+"""pylmp bench: what it reads of logs, its table, its JSON, its errors; small scripts from end to end."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from pylmp.cli import main
+from pylmp.text.diagnostic import ScriptError
+from pylmp.tools.bench import child, page, scaling, table
+from pylmp.tools.bench.contenders import NAMES, contender
+from pylmp.tools.bench.log import Loop, complaint, loops
+from pylmp.tools.bench.main import DECKS
+from pylmp.tools.bench.measure import Result, Row, Sample, _compare, measure
+from pylmp.tools.bench.report import as_dict
+from tests.support import lammps
+
+TINY = """\
+# A small liquid.
+units lj
+lattice fcc 0.8442
+region b block 0 4 0 4 0 4
+create_box 1 b
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.44 87287 loop geom
+pair_style lj/cut 2.5
+pair_coeff 1 1 1.0 1.0
+fix 1 all nve
+variable steps index 50
+run 5
+run ${steps}
+"""
+
+
+def bench(*words: str | Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "pylmp", "bench", *map(str, words)], env={**os.environ, **environment},
+        capture_output=True, text=True, check=False, timeout=120,
+    )  # fmt: skip
+
+
+@pytest.fixture
+def tiny(tmp_path: Path) -> Path:
+    script = tmp_path / "in.tiny"
+    script.write_text(TINY)
+    return script
+
+
+# ---- logs ------------------------------------------------------------------------------------------------------------
+
+
+def test_the_loops_of_lammps_s_own_log(tmp_path: Path) -> None:
+    runs = loops(lammps(TINY, tmp_path).log)
+    assert [(run.steps, run.atoms) for run in runs] == [(5, 256), (50, 256)]
+    assert all(run.seconds > 0.0 and run.share is not None for run in runs)
+    assert all(run.instead is None for run in runs)
+
+
+def test_who_stepped_in_is_read_run_by_run() -> None:
+    end = "Loop time of {} on 1 procs for 10 steps with 4 atoms\n\n99.5% CPU use with {} MPI tasks x 1 OpenMP threads\n"
+    log = f"Engine exact for this run: engine fast lacks neighbor nsq\n{end.format(0.5, 1)}{end.format(0.25, 2)}"
+    assert loops(log) == [
+        Loop(0.5, 10, 4, 0.995, "exact", "engine fast lacks neighbor nsq"),
+        Loop(0.25, 10, 4, 1.99),
+    ]
+    assert loops("Loop time of 0.1 on 1 procs for 3 steps with 2 atoms\n") == [Loop(0.1, 3, 2, None)]
+    assert loops("no run here\n") == []
+
+
+def test_what_a_failed_run_said() -> None:
+    assert complaint("much\nERROR: Illegal fix command (in.x:3)\nLast input line: fix 1\n").startswith("ERROR: Illegal fix")
+    assert complaint("killed") == "killed"
+    assert len(complaint("x" * 9000)) == 500
+
+
+# ---- table -----------------------------------------------------------------------------------------------------------
+
+
+def rows() -> list[Row]:
+    """LAMMPS 1, 4, 2 s; fast, half of each, at half a processor; mpi2 failed."""
+    result = []
+    for name, times, share in (("fast", (0.5, 2.0, 1.0), 0.5), ("lammps", (1.0, 4.0, 2.0), 1.0)):
+        samples = [Sample(Loop(t, 10, 1000, share), t + 0.25, 0.25, 2_000_000) for t in times]
+        first = Sample(Loop(1.0, 10, 1000, share), 9.25, 8.25, 0) if name == "fast" else None
+        result.append(Row(contender(name), first, samples))
+    result.append(Row(contender("mpi2"), None, [], 1, "ERROR: no"))
+    _compare(result)
+    return result
+
+
+def test_ratios_are_those_of_each_round() -> None:
+    fast, serial, failed = rows()
+    assert (fast.ratio, fast.by_cpu) == (2.0, 4.0)
+    assert (serial.ratio, serial.by_cpu) == (1.0, 1.0)
+    assert (failed.ratio, failed.by_cpu) == (None, None)
+    assert fast.compiling == 8.0
+
+
+def test_the_table_says_medians_and_spread() -> None:
+    result = Result(Path("in.x"), "a title", rows(), [])
+    lines = table.text([result]).splitlines()
+    assert lines[:2] == ["in.x: 1000 atoms, 10 steps, 3 rounds", "  a title"]
+    assert lines[2].split()[:4] == ["engine", "ns/atom/step", "least", "most"]
+    assert lines[3].split() == "pylmp, fast 100000 50000 200000 10.0 2.00 4.00 50% 0.25 9.25".split()
+    assert lines[4].split() == "LAMMPS, serial 200000 100000 400000 5.00 1.00 1.00 100% 0.25 -".split()
+    assert lines[5].split()[:5] == ["LAMMPS,", "mpiexec", "-n", "2", "failed"]
+    assert lines[6] == "  LAMMPS, mpiexec -n 2 failed: ERROR: no"
+    assert len({len(line) for line in table.markdown([result]).splitlines()[:5]}) == 1
+
+
+def test_json_holds_every_run() -> None:
+    whole = json.loads(json.dumps(as_dict([Result(Path("in.x"), "a title", rows(), ["n"])], {"cores": 2})))
+    assert (whole["schema"], whole["machine"]) == (1, {"cores": 2})
+    (script,) = whole["scripts"]
+    fast, serial, failed = script["engines"]
+    assert [run["seconds"] for run in fast["runs"]] == [0.5, 2.0, 1.0]
+    assert {k: fast[k] for k in ("ran", "median", "least", "most", "ratio", "ratio_by_cpu", "steps_per_second", "peak_bytes")} == {
+        "ran": "fast", "median": 1.0, "least": 0.5, "most": 2.0, "ratio": 2.0, "ratio_by_cpu": 4.0, "steps_per_second": 10.0,
+        "peak_bytes": 2_000_000,
+    }  # fmt: skip
+    assert serial["first"] is None
+    assert (failed["failed"], failed["runs"]) == ("ERROR: no", [])
+    assert "median" not in failed
+
+
+# ---- from end to end -------------------------------------------------------------------------------------------------
+
+
+def test_every_engine_runs_a_small_script(tiny: Path) -> None:
+    done = bench(tiny, "--engines", ",".join(NAMES), "--repeat", "1", "--json", "--var", "steps", "20")
+    assert done.returncode == 0, done.stdout + done.stderr
+    (script,) = json.loads(done.stdout)["scripts"]
+    assert script["title"] == "A small liquid."
+    assert [engine["engine"] for engine in script["engines"]] == list(NAMES)
+    for engine in script["engines"]:
+        assert (engine["atoms"], engine["steps"], len(engine["runs"])) == (256, 20, 1)
+        assert engine["ran"] == engine["engine"]
+        assert engine["ratio"] > 0.0
+        assert engine["peak_bytes"] > 1_000_000
+        assert (engine["ratio_by_cpu"] is None) == (engine["threads"] == 2)
+    assert [path.name for path in tiny.parent.iterdir()] == ["in.tiny"]
+
+
+def test_the_engine_that_really_ran_is_named(tiny: Path) -> None:
+    tiny.write_text(TINY.replace("fix 1", "neighbor 0.3 nsq\nfix 1"))
+    done = bench(tiny, "--engines", "fast", "--repeat", "1", "--var", "steps", "20")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "pylmp, fast (ran on exact)" in done.stdout
+    assert "engine fast lacks neighbor nsq" in done.stdout
+
+
+def test_a_wrong_script_is_answered_with_its_error(tiny: Path) -> None:
+    tiny.write_text(TINY.replace("lj/cut 2.5", "lj/cat 2.5"))
+    done = bench(tiny, "--repeat", "1")
+    assert done.returncode == 1
+    for title in ("pylmp, fast failed", "LAMMPS, serial failed"):
+        assert f"{title}: ERROR: Unrecognized pair style 'lj/cat'" in done.stdout
+    assert "Traceback" not in done.stdout + done.stderr
+
+
+def test_a_script_that_only_lammps_runs(tiny: Path) -> None:
+    tiny.write_text(TINY.replace("fix 1", "suffix off\npair_style born 2.5\npair_coeff * * 1 1 1 1 1\nfix 1"))
+    done = bench(tiny, "--repeat", "1", "--json")
+    fast, serial = json.loads(done.stdout)["scripts"][0]["engines"]
+    assert done.returncode == 5
+    assert "LAMMPS has pair_style born" in fast["failed"]
+    assert serial["failed"] is None
+
+
+def test_what_cannot_be_measured(tiny: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    tiny.write_text("units lj\nprint 'nothing'\n")
+    assert main(["bench", str(tiny), "--engines", "lammps", "--repeat", "1"]) == 1
+    assert "ends without a run" in capfd.readouterr().out
+    assert main(["bench", str(tmp_path / "in.none")]) == 1
+    assert "Cannot open input script" in capfd.readouterr().err
+    assert main(["bench", "--all", "--decks", str(tmp_path / "nowhere")]) == 1
+    assert "--decks FOLDER" in capfd.readouterr().err
+    for wrong in ([], [str(tiny), "--all"], [str(tiny), "--engines", "gpu"], [str(tiny), "--repeat", "0"], [str(tiny), "--var", "x"]):
+        assert main(["bench", *wrong]) == 2
+    assert "usage: pylmp bench" in capfd.readouterr().err
+
+
+def test_without_lammps(tiny: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("pylmp.engines.lammps._packaged", lambda package, ending: None)
+    monkeypatch.setattr("shutil.which", lambda name: None)
+    for name in ("lammps", "mpi2"):
+        assert main(["bench", str(tiny), "--engines", name, "--repeat", "1"]) == 1
+        said = capfd.readouterr().err
+        assert "ERROR: LAMMPS is not installed" in said
+        assert "pylmp[reference]" in said
+    assert main(["bench", str(tiny), "--engines", "fast", "--repeat", "1", "--var", "steps", "5"]) == 0
+
+
+def test_a_run_without_end_is_ended(tiny: Path) -> None:
+    begun = time.monotonic()
+    done = bench(tiny, "--engines", "lammps,mpi2", "--repeat", "3", "--timeout", "1.5", "--var", "steps", "100000000")
+    assert time.monotonic() - begun < 30.0
+    assert done.returncode == 1
+    assert done.stdout.count("no end after 1.5 s") == 2
+
+
+def test_a_child_and_what_it_started_are_ended_together(tmp_path: Path) -> None:
+    late = f"import time,pathlib; time.sleep(3); pathlib.Path({str(tmp_path / 'late')!r}).touch()"
+    code = f"import subprocess,sys; subprocess.Popen([sys.executable, '-c', {late!r}]); import time; time.sleep(60)"
+    with pytest.raises(subprocess.TimeoutExpired):
+        child.run([sys.executable, "-c", code], tmp_path, os.environ, 1.0)
+    time.sleep(3.5)
+    assert not (tmp_path / "late").exists()
+
+
+def test_memory_of_a_child(tmp_path: Path) -> None:
+    """Measured from a process that is small itself, as the command is: no child counts for less than who started it."""
+    code = (
+        "import os, pathlib, sys\nfrom pylmp.tools.bench import child\nfor n in (1, 200_000_000):\n"
+        "    done = child.run([sys.executable, '-c', f'print(len(bytearray(b\"x\") * {n}))'], pathlib.Path('.'), os.environ, None)\n"
+        "    print(done.code, done.said.strip(), done.peak)\n"
+    )
+    said = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True).stdout.split()
+    assert said[:2] + said[3:5] == ["0", "1", "0", "200000000"]
+    small, large = int(said[2]), int(said[5])
+    assert small < 80e6
+    assert 200e6 < large < 440e6
+
+
+# ---- scaling, page ---------------------------------------------------------------------------------------------------
+
+
+def test_scaling_and_the_page_it_writes(tmp_path: Path) -> None:
+    who = [contender("fast"), contender("lammps")]
+    switches = ["-var", "steps", "20"]
+    results = scaling.scale(DECKS, who, 1, switches, None, False, lambda text: None, cells=(5, 6))
+    assert [r.rows[0].samples[0].loop.atoms for r in results] == [500, 864]
+    head, *sizes = scaling.rows(results)
+    assert head[1:] == ("pylmp, fast, ns/atom/step", "LAMMPS, serial, ns/atom/step", "pylmp, fast, MB", "LAMMPS, serial, MB")
+    assert [row[0] for row in sizes] == ["500", "864"]
+    assert len(scaling.growth(results)) == 2
+    target = tmp_path / "page.md"
+    target.write_text("# Mine\n\nbefore\n\n<!-- scaling -->\nold\n<!-- end -->\n\nafter\n")
+    for said in ("first", scaling.text(results, bars=True)):
+        plot = page.write(target, "scaling", said, results)
+    text = target.read_text()
+    assert text.startswith("# Mine\n\nbefore\n\n<!-- scaling -->\n")
+    assert text.endswith("<!-- end -->\n\nafter\n")
+    assert "| 864 " in text.replace("|   ", "| ")
+    assert "old" not in text and "first" not in text
+    assert plot.name == "page-scaling.svg"
+    assert "ns per atom and step" in plot.read_text()
+
+
+def test_a_page_of_ratios(tiny: Path, tmp_path: Path) -> None:
+    target = tmp_path / "new.md"
+    assert main(["bench", str(tiny), "--engines", "lammps,opt", "--repeat", "1", "--write", str(target)]) == 0
+    assert "`in.tiny`" in target.read_text()
+    assert "LAMMPS, -sf opt" in (tmp_path / "new-bench.svg").read_text()
+    target.write_text("no marks")
+    with pytest.raises(ScriptError, match="has no lines"):
+        page.write(target, "bench", "", [])
+
+
+def test_the_manual_s_words_are_put_for_lammps(tiny: Path) -> None:
+    tiny.write_text(TINY.replace("run 5\n", "").replace("fix 1", "dump 1 all custom 5 d id\ndump_modify 1 write_header no\nfix 1"))
+    result = measure(tiny, [contender("lammps")], 1, ["-var", "steps", "20"], None)
+    assert result.code == 0, result.rows[0].said
+    assert "header no" in result.notes[0]
