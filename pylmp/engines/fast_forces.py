@@ -42,12 +42,15 @@ class FastForces:
         bond = self.bonds[0].term(sim, self.pair) if self.bonds else None
         self._kernels = [force_loop(term, bond, sim.box.periodic, tally) for tally in (False, True)]
         self._moved, self._extent = neighbor_loops.moved(), loops.extents()
-        self._calls: dict[tuple[bool, bool], Call] = {}
+        self._calls: list[Call] = []
+        self._may_break = np.zeros(1, np.int64)
         self._moved_call: Call = lambda: 0.0
         self._sums = np.zeros(TALLIES)
         self._kinds = np.zeros(0, np.int32)
         self.least, self.most = np.zeros(3), np.zeros(3)
         self._scratch = np.zeros(6 * LANES)
+        self._length = np.zeros(3)
+        self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8), np.zeros((8, 8))
         self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
         self._rows: np.ndarray[tuple[int], np.dtype[np.int64]] | None = None  # IDs of the rows that the bonds were laid out for
 
@@ -96,28 +99,30 @@ class FastForces:
         if self.lists is not None:
             self.lists.build(sim, self.bonds[0].left_out if self.bonds else None, self.least, self.most)
         check_bonded(sim)
-        self._held = atoms.x[:n].copy()
+        if len(self._held) != n:
+            self._held = np.zeros((n, 3))
+        self._held[:] = atoms.x[:n]
+        self._length[:] = sim.box.length
         self._bind(sim)
 
     def _bind(self, sim: Simulation) -> None:
         atoms = sim.atoms
         lists, bonds = self.lists, self.bonds[0] if self.bonds else None
-        whole, small, tiny = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)
-        table = self.pair.table if self.pair else np.zeros((2, 2, 1))
+        whole, small, tiny, number = self._nothing
+        table = self.pair.table if self.pair else number
         listing = (lists.first, lists.depth, lists.edges, lists.neighbors) if lists else (whole, small, tiny, small)
         listed = (
             (bonds.first, bonds.depth, bonds.to, bonds.kind, bonds.memories, bonds.slots, bonds.part.table)
             if bonds
-            else (whole, small, small, small, np.zeros(1), 0, np.zeros((2, 1)))
+            else (whole, small, small, small, number, 0, number)
         )
-        self._calls = {
-            (tally, may_break): kernel(self._kernels[tally]).bind(
-                atoms.x, atoms.v, atoms.f, self._kinds, *listing, table, len(table), *listed, sim.box.length, self._sums,
-                bonds.broken if bonds else small, int(may_break), 0, blocks(atoms.n),
+        self._calls = [
+            kernel(function).bind(
+                atoms.x, atoms.v, atoms.f, self._kinds, *listing, table, len(table), *listed, self._length, self._sums,
+                bonds.broken if bonds else small, self._may_break, 0, blocks(atoms.n),
             )
-            for tally in (False, True)
-            for may_break in (False, True)
-        }  # fmt: skip
+            for function in self._kernels
+        ]  # fmt: skip
         self._limit2[0] = 0.25 * sim.neighbor.skin * sim.neighbor.skin
         self._moved_call = kernel(self._moved).bind(atoms.x, self._held, self._limit2, atoms.n)
 
@@ -128,8 +133,8 @@ class FastForces:
 
     def evaluate(self, sim: Simulation, wanted: int, setup: bool) -> None:
         """Forces, and what is wanted besides; then what breaks is booked."""
-        may_break = bool(self.bonds) and (not setup or self.bonds[0].part.style.breaks_in_setup)
-        broken = int(self._calls[bool(wanted), may_break]())
+        self._may_break[0] = not setup or (bool(self.bonds) and self.bonds[0].part.style.breaks_in_setup)
+        broken = int(self._calls[wanted != 0]())
         if wanted:
             sums = self._sums.tolist()
             sim.tally.pair, sim.tally.bond = sums[0] + sums[2], sums[1]

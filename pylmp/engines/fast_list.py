@@ -15,7 +15,7 @@ from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.engines.fast_bonds import LeftOut
-    from pylmp.model.atoms import Floats, Ints
+    from pylmp.model.atoms import Floats
     from pylmp.model.simulation import Simulation
 
 _SINGLE = 2.0**-20  # of the box length: more than single precision and the shift of images lose
@@ -39,6 +39,9 @@ class FullList:
         self._near = [np.zeros(0, np.float32)] * 3
         self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]
         self._candidate_rows = np.zeros(self._room, np.int32)
+        self._corner, self._inverse, self._length, self._counts = np.zeros(3), np.zeros(3), np.zeros(3), np.ones(3, np.int64)
+        self._margin = 0.0
+        self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32)
         self.count = 0
 
     def functions(self) -> list[Function]:
@@ -54,20 +57,18 @@ class FullList:
     def build(self, sim: Simulation, left_out: LeftOut | None, least: Floats, most: Floats) -> None:
         """List the neighbors of all atoms, which are between least and most (3,). Raises ScriptError where a position is not a number, or too many are too close."""
         atoms, n = sim.atoms, sim.atoms.n
-        corner, lengths, counts = self._grid(sim, least, most)
-        self._fit(n, int(counts.prod()))
+        self._grid(sim, least, most)
+        self._fit(n, int(self._counts.prod()))
         cells = kernel(self._sort).bind(
-            atoms.x, corner, counts / lengths, counts, self._cell, self._start, self._order, *self._near, n,
+            atoms.x, self._corner, self._inverse, self._counts, self._cell, self._start, self._order, *self._near, n,
         )()  # fmt: skip
         if cells < 0.0:
             raise ScriptError("Non-numeric atom coords - simulation unstable", hint="a smaller timestep, or forces that do not diverge")
-        margin = self.cutoff + _SINGLE * float(lengths.max())
-        nothing = np.zeros(1, np.int64), np.zeros(1, np.int32)
-        excluded = (left_out.first, left_out.rows) if self._excluding and left_out else nothing
+        excluded = (left_out.first, left_out.rows) if self._excluding and left_out else self._nothing
         self._stamp.fill(-1)
         while True:
             deepest = kernel(self._list).bind(
-                self._start, self._order, *self._near, counts, sim.box.length, margin * margin, *self._candidates, self._candidate_rows,
+                self._start, self._order, *self._near, self._counts, self._length, self._margin * self._margin, *self._candidates, self._candidate_rows,
                 self._room, *excluded, self._stamp, self._found, self._edge, self._listed, self._width,
             )()  # fmt: skip
             if deepest >= 0.0 or self._width > sim.neighbor.one + WIDE:
@@ -85,19 +86,23 @@ class FullList:
             self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
         self.count = int(self._found[:n].sum())
 
-    def _grid(self, sim: Simulation, least: Floats, most: Floats) -> tuple[Floats, Floats, Ints]:
-        """Corner, lengths and counts of cells no smaller than the cutoff and not many more than atoms."""
-        box = sim.box
-        low, high = np.where(box.periodic, box.lo, least), np.where(box.periodic, box.hi, most)
-        lengths = np.maximum(high - low, 1.0e-6 * self.cutoff)
-        counts = np.maximum((lengths / self.cutoff).astype(np.int64), 1)
-        if self._flat:
-            counts[2] = 1
+    def _grid(self, sim: Simulation, least: Floats, most: Floats) -> None:
+        """Corner, counts and inverse sizes of cells no smaller than the cutoff and not many more than atoms."""
+        box, counts = sim.box, [1, 1, 1]
+        widest_box = 0.0
+        for d, periodic in enumerate(box.periodic):
+            low, high = float((box.lo if periodic else least)[d]), float((box.hi if periodic else most)[d])
+            length = max(high - low, 1.0e-6 * self.cutoff)
+            widest_box = max(widest_box, length)
+            counts[d] = 1 if d == 2 and self._flat else max(1, int(length / self.cutoff))
+            self._corner[d], self._inverse[d], self._length[d] = low, 1.0 / length, box.hi[d] - box.lo[d]
+        self._margin = self.cutoff + _SINGLE * widest_box
         most_cells = 4 * sim.atoms.n + 64
-        while counts.prod() > most_cells:
-            widest = int(np.argmax(counts))
+        while counts[0] * counts[1] * counts[2] > most_cells:
+            widest = counts.index(max(counts))
             counts[widest] = max(1, counts[widest] // 2)
-        return low, lengths, counts
+        self._counts[:] = counts
+        self._inverse *= self._counts
 
     def _fit(self, n: int, cells: int) -> None:
         rows = LANES * blocks(n)

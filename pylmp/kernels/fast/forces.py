@@ -82,12 +82,12 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
     def forces(
         x: "f8*", v: "f8*", f: "f8*", kinds: "i4*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", table: "f8*",
         types: "i8", bond_first: "i8*", bond_depth: "i4*", bond_to: "i4*", bond_kind: "i4*", history: "f8*", slots: "i8",
-        bond_table: "f8*", lengths: "f8*", sums: "f8*", broken: "i4*", may_break: "i8",
+        bond_table: "f8*", lengths: "f8*", sums: "f8*", broken: "i4*", may_break: "i8*",
         begin: "i8", end: "i8",
     ) -> "f8":
         """Set f in the rows of blocks begin to end; sums (TALLIES,) is set when tallying.
 
-        kinds: types of atoms, kinds[3 i] of row i. bond_kind: type of each slot, 0 none, below 0 broken since the last list. broken:
+        may_break[0]: 0 where no bond may. kinds: types of atoms, kinds[3 i] of row i. bond_kind: type of each slot, 0 none, below 0 broken since the last list. broken:
         slots of bonds that broke, one at each end. Returns how many.
         """
         lx = lengths[0]
@@ -200,7 +200,7 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                         at = select(active, kind, splat_whole(1, LANES)) * bond_width
                         force, e, remembered, alive = bond_law(r2, dot, recall(history, k, slots), bond_columns(bond_table, at))
                     if can_break:
-                        if may_break != 0:
+                        if may_break[0] != 0:
                             gone = active & ~alive
                             if some(gone):
                                 breaks += compress(broken, breaks, count_up(k, LANES), gone)
