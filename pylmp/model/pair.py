@@ -106,6 +106,13 @@ class PairPart:
             self.table[i, j] = self.table[j, i] = row
             self.cut[i, j] = self.cut[j, i] = self.style.reach(*self.all[i, j])
 
+    def renew(self) -> None:
+        """After given changed during a run: the same table holds what follows, but for the reach, with which a row ends."""
+        table, cut = self.table, self.cut
+        self.complete(self.mine, len(cut) - 1)
+        table[..., :-1] = self.table[..., :-1]
+        self.table, self.cut = table, cut
+
     def tails(self, sim: Simulation, pair: Types, counts: Ints) -> tuple[float, float]:
         """Corrections (energy, pressure) for a pair of types before division by V and V*V. counts: atoms by type."""
         if not self.settings.tail or self.style.tail is None:
@@ -204,9 +211,7 @@ class Pair:
         """Mix what was not given, check, fill the tables. Raises ScriptError for unset or broken restrictions."""
         settings = self.settings
         if settings.shift and settings.tail:
-            raise ScriptError(
-                "Cannot have both pair_modify shift and tail set to yes", hint="one of the two, or neither"
-            )
+            raise ScriptError("Cannot have both pair_modify shift and tail set to yes", hint="one of the two, or neither")
         if settings.tail and sim.dimension == 2:
             raise ScriptError("Cannot use pair tail corrections with 2d simulations", hint="pair_modify tail no")
         if settings.tail and not all(sim.box.periodic):
@@ -260,9 +265,7 @@ class Pair:
         )
 
     def _status(self) -> str:
-        return "".join(
-            f"\n{i:6d} {j:6d}: is {'set' if (i, j) in self.acting else 'not set'}" for i, j in self._pairs()
-        )
+        return "".join(f"\n{i:6d} {j:6d}: is {'set' if (i, j) in self.acting else 'not set'}" for i, j in self._pairs())
 
     def write_coeffs(self, whole: bool) -> list[tuple[tuple[int, ...], list[float]]]:
         """Lines of a data file: (I,) and numbers (Pair Coeffs), or whole: (I, J) and numbers (PairIJ Coeffs).

@@ -148,6 +148,7 @@ class PairStyle:
     data       (coefficients, cutoff) -> numbers that the law looks up; its c ends with where they begin, and with the array
     watch      options -> (r2, c) -> this pair must be reported
     report     (sim, part, row, row) raises the ScriptError of the first such pair
+    adapts     names by which fix adapt may change the coefficients; a row then ends with the square of the law's reach
     restart    what a restart file holds of it
     write      (coefficients, cutoff, whole, options) -> numbers of a line of Pair Coeffs (whole: PairIJ Coeffs); None: no such section
     """
@@ -172,4 +173,5 @@ class PairStyle:
     write: Callable[[tuple[float, ...], float, bool, Options], list[float]] | None = field(
         default=lambda coeffs, cut, whole, options: [*coeffs, cut] if whole else list(coeffs)
     )
+    adapts: tuple[str, ...] = ()
     restart: Blob | None = None

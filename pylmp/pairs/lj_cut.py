@@ -74,7 +74,7 @@ PAIRS.add(
         name="lj/cut", manual="pair_lj_cut.html",
         coeffs=(Coeff("epsilon", "energy"), Coeff("sigma", "distance")),
         law=lambda options: lj, settings=global_cutoff, read=read, row=row, mix=mix, tail=tail,
-        restart=Blob(
+        adapts=("epsilon", "sigma"), restart=Blob(
             settings=(("cut", NUMBER), ("shift", FLAG), ("mix", MIXING), ("tail", FLAG)), coeffs=("epsilon", "sigma", "cut"),
         ),
     ),

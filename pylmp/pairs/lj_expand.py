@@ -80,7 +80,7 @@ PAIRS.add(
         coeffs=(Coeff("epsilon", "energy"), Coeff("sigma", "distance"), Coeff("delta", "distance")),
         law=lambda options: expanded, settings=global_cutoff, read=read, row=row, mix=mix, tail=tail,
         reach=lambda coeffs, cut: cut + coeffs[2],
-        restart=Blob(
+        adapts=("epsilon", "sigma", "delta"), restart=Blob(
             settings=(("cut", NUMBER), ("shift", FLAG), ("mix", MIXING), ("tail", FLAG)),
             coeffs=("epsilon", "sigma", "delta", "cut"),
         ),

@@ -50,7 +50,7 @@ PAIRS.add(
         name="morse", manual="pair_morse.html",
         coeffs=(Coeff("D", "energy"), Coeff("alpha", "1/distance"), Coeff("r0", "distance")),
         law=lambda options: morse, settings=global_cutoff, read=read, row=row,
-        restart=Blob(
+        adapts=("d0", "alpha", "r0"), restart=Blob(
             settings=(("cut", NUMBER), ("shift", FLAG), ("mix", MIXING)), coeffs=("D", "alpha", "r0", "cut"),
         ),
     ),

@@ -48,6 +48,6 @@ PAIRS.add(
     PairStyle(
         name="soft", manual="pair_soft.html", coeffs=(Coeff("A", "energy"),), law=lambda options: soft,
         settings=global_cutoff, read=read, row=lambda coeffs, cut, shift: (coeffs[0], cut, cut * cut), mix=mix, mixes_energy=False,
-        restart=Blob(settings=(("cut", NUMBER), ("mix", MIXING)), coeffs=("A", "cut")),
+        adapts=("a",), restart=Blob(settings=(("cut", NUMBER), ("mix", MIXING)), coeffs=("A", "cut")),
     ),
 )  # fmt: skip
