@@ -11,7 +11,7 @@ from typing import Any
 
 from pylmp.model.blob import FLAG, Blob
 from pylmp.model.many_body import has_many_body
-from pylmp.model.style import Options, Restriction
+from pylmp.model.style import Law, Options, Restriction
 from pylmp.text.words import Args, Word
 
 ATTRIBUTES = ("id1", "id2", "time", "x", "y", "z", "x/ref", "y/ref", "z/ref")
@@ -69,6 +69,24 @@ def parse(sim: Any, args: Args, more: tuple[str, ...] = ()) -> Options:
         )
     args.rest()
     return options
+
+
+def slowed(smooth: bool) -> Law:
+    """(elastic force, separation times velocity difference, r, r0, gamma, eps_c) -> force over r, with drag, smoothed."""
+
+    def finish(force: Any, dot: Any, r: Any, r0: Any, gamma: Any, eps_c: Any) -> Any:
+        ri = 1.0 / r
+        force = force - gamma * dot * ri
+        force = force * ri
+        if smooth:
+            s = (r - r0) / (r0 * eps_c)
+            s = s * s
+            s = s * s
+            s = s * s
+            force = force * (1.0 - s)
+        return force
+
+    return finish
 
 
 def _store(args: Args, keyword: Word) -> tuple[str, int, tuple[str, ...]]:

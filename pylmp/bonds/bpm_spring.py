@@ -1,9 +1,10 @@
 """bond_style bpm/spring: a spring that breaks.
 
     F = -k (r - r0) w,  F_D = -gamma w (rhat . v),  w = 1 - ((r - r0)/(r0 eps_c))^8,  E = k (r - r0)^2/2
+    with volume/factor yes also F_V = a_v ((V/V0)^(1/d) - r/r0) w, V the volumes of both atoms (model/bond_volumes.py)
 
 r0 is the length at the first evaluation; with normalize yes, F = -k (r - r0)/r0. The bond breaks when |r - r0|/r0 > eps_c.
-LAMMPS does not smooth the energy.
+LAMMPS does not smooth the energy, and leaves the volumes out of it.
 
 Source: LAMMPS manual, bond_bpm_spring.html; order of operations as measured on LAMMPS 22 Jul 2025.
 """
@@ -13,57 +14,51 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from pylmp.bonds.bpm import RESTART, RESTRICTIONS, parse
+from pylmp.bonds.bpm import RESTART, RESTRICTIONS, parse, slowed
 from pylmp.laws import fabs, select, sqrt
 from pylmp.model.blob import FLAG
 from pylmp.model.registry import BONDS
 from pylmp.model.simulation import Simulation
 from pylmp.model.style import BondStyle, Coeff, Law, Options
-from pylmp.text.diagnostic import Unsupported
 from pylmp.text.words import Args
 
 
 def spring(options: Options) -> Law:
-    normalize, smooth = bool(options["normalize"]), bool(options["smooth"])
+    normalize, finish = bool(options["normalize"]), slowed(bool(options["smooth"]))
 
-    def law(r2: Any, dot: Any, h: Any, c: Any) -> Any:
+    def plain(r2: Any, dot: Any, h: Any, c: Any) -> Any:
         r0 = h[0]
         k, eps_c, gamma, _ = c
         r = sqrt(r2)
         e = (r - r0) / r0
-        ri = 1.0 / r
         force = -k * e if normalize else -k * (r - r0)
         energy = -0.5 * force * (r - r0)
-        force = force - gamma * dot * ri
-        force = force * ri
-        if smooth:
-            s = (r - r0) / (r0 * eps_c)
-            s = s * s
-            s = s * s
-            s = s * s
-            force = force * (1.0 - s)
-        return force, energy, (r0,), select(fabs(e) > eps_c, False, True)
+        return finish(force, dot, r, r0, gamma, eps_c), energy, (r0,), select(fabs(e) > eps_c, False, True)
 
-    return law
+    def swollen(r2: Any, dot: Any, h: Any, c: Any) -> Any:
+        """With volumes: c ends with (V/V0)^(1/d)."""
+        r0 = h[0]
+        k, eps_c, gamma, a_v, growth = c
+        r = sqrt(r2)
+        e = (r - r0) / r0
+        force = -k * e if normalize else -k * (r - r0)
+        energy = -0.5 * force * (r - r0)
+        force = force + a_v * (growth - 1.0 - e)
+        return finish(force, dot, r, r0, gamma, eps_c), energy, (r0,), select(fabs(e) > eps_c, False, True)
+
+    return swollen if options["volume/factor"] else plain
 
 
 def read(sim: Simulation, args: Args) -> Options:
-    options = parse(sim, args, ("volume/factor",))
-    options["volume known"] = False
-    if options["volume/factor"]:
-        raise Unsupported(
-            "LAMMPS has bond style bpm/spring volume/factor yes, pylmp's native engines do not",
-            next((word.span for word in args.words if word.text == "volume/factor"), None),
-            hint="--engine lammps runs this script on LAMMPS", manual="bond_bpm_spring.html",
-        )  # fmt: skip
-    return options
+    return {**parse(sim, args, ("volume/factor",)), "volume known": False}
 
 
-def without_volume(args: Args, coeffs: tuple[float, ...]) -> None:
-    """a_v belongs to volume/factor yes."""
+def fitting(options: Options, args: Args, coeffs: tuple[float, ...]) -> None:
+    """a_v belongs to volume/factor yes, and is needed there."""
     named = args.words[1].text == "bpm/spring"  # under hybrid
-    if len(args.words) > 4 + named:
-        args.fail("Incorrect args for bond coefficients", hint="bond_coeff TYPE k eps_c gamma")
+    if len(args.words) != 4 + named + options["volume/factor"]:
+        names = "k eps_c gamma a_v" if options["volume/factor"] else "k eps_c gamma"
+        args.fail("Incorrect args for bond coefficients", args.words[-1], hint=f"bond_coeff TYPE {names}")
 
 
 BONDS.add(
@@ -73,8 +68,9 @@ BONDS.add(
         manual="bond_bpm_spring.html",
         coeffs=(Coeff("k", "force/distance"), Coeff("eps_c", "unitless"), Coeff("gamma", "force/velocity"), Coeff("a_v", "force")),
         optional_coeffs=1,
-        check=without_volume,
+        check=fitting,
         law=spring,
+        volumes=lambda options: bool(options["volume/factor"]),
         parse=read,
         restrictions=RESTRICTIONS,
         history=("r0",),

@@ -14,14 +14,14 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from pylmp.bonds.bpm import RESTART, RESTRICTIONS, parse
+from pylmp.bonds.bpm import RESTART, RESTRICTIONS, parse, slowed
 from pylmp.laws import fabs, select, sqrt
 from pylmp.model.registry import BONDS
 from pylmp.model.style import BondStyle, Coeff, Law, Options
 
 
 def plastic(options: Options) -> Law:
-    normalize, smooth = bool(options["normalize"]), bool(options["smooth"])
+    normalize, finish = bool(options["normalize"]), slowed(bool(options["smooth"]))
 
     def law(r2: Any, dot: Any, h: Any, c: Any) -> Any:
         r0, ep = h
@@ -30,16 +30,8 @@ def plastic(options: Options) -> Law:
         e = (r - r0) / r0
         ep = select(e > ep + eps_p, e - eps_p, ep)
         ep = select(e < ep - eps_p, e + eps_p, ep)
-        ri = 1.0 / r
         force = -k * (e - ep) if normalize else -k * (r - (1.0 + ep) * r0)
-        force = force - gamma * dot * ri
-        force = force * ri
-        if smooth:
-            s = (r - r0) / (r0 * eps_c)
-            s = s * s
-            s = s * s
-            s = s * s
-            force = force * (1.0 - s)
+        force = finish(force, dot, r, r0, gamma, eps_c)
         return force, 0.0 * r2, (r0, ep), select(fabs(e) > eps_c, False, True)
 
     return law

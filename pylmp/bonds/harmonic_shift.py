@@ -12,7 +12,7 @@ from typing import Any
 from pylmp.laws import select, sqrt
 from pylmp.model.blob import Blob, nearest
 from pylmp.model.registry import BONDS
-from pylmp.model.style import BondStyle, Coeff, Law
+from pylmp.model.style import BondStyle, Coeff, Law, Options
 from pylmp.text.words import Args
 
 
@@ -36,7 +36,7 @@ def shifted(cut: bool) -> Law:
 
 
 def check(name: str) -> Any:
-    def different(args: Args, values: tuple[float, ...]) -> None:
+    def different(options: Options, args: Args, values: tuple[float, ...]) -> None:
         if values[1] == values[2]:
             args.fail(f"Bond {name} r0 and r1 must be different", hint="the energy is zero at rc, and least at r0")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from pylmp.fixes.store_local import StoreLocal
-from pylmp.model import bond_memory
+from pylmp.model import bond_memory, bond_volumes
 from pylmp.model.bond import Bond, BondPart
 from pylmp.model.registry import BONDS, command
 from pylmp.model.simulation import Simulation
@@ -42,6 +42,7 @@ def _forget(sim: Simulation) -> None:
         if part.recorder in sim.fixes:
             sim.fixes.remove(part.recorder)
     sim.bond_lists = []
+    bond_volumes.forget(sim)
 
 
 def find(sim: Simulation, args: Args, name: Word) -> BondStyle:

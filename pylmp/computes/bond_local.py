@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from pylmp.computes.property_local import rows_of_bonds
+from pylmp.model import bond_volumes
 from pylmp.model.atoms import Floats, Ints
 from pylmp.model.compute import Compute
 from pylmp.model.registry import COMPUTES
@@ -119,7 +120,8 @@ def single(
         if not mine.any():
             continue
         history = memory[mine][:, : part.memory]
-        force[mine], energy[mine] = part.evaluate(kinds[mine], r2[mine], dot[mine], history)
+        own = bond_volumes.growth(sim, rows[mine], partners[mine]) if part.style.volumes(part.options) else None
+        force[mine], energy[mine] = part.evaluate(kinds[mine], r2[mine], dot[mine], history, own)
         if part.style.subtract_pair and sim.pair is not None and sim.pair.working:
             ends = sim.atoms.type[rows[mine]], sim.atoms.type[partners[mine]]
             _, pair_energy = sim.pair.single(r2[mine], np.zeros(int(mine.sum())), *ends)

@@ -45,7 +45,6 @@ class ForceField:
         self._moving_faces = False
         self._forces = np.zeros((0, 3))
         self._sums = np.zeros(2)
-        self._own = np.zeros(1)
         self._virial = np.zeros(6)
         self._shares = np.zeros((0, SHARES))
         self._held = np.zeros((0, 3))
@@ -71,7 +70,7 @@ class ForceField:
             part.law, part.table.shape[1], part.memory, alone.law if alone else None, alone.width if alone else 0,
             newton=sim.newton_bond, velocity=style.velocity or (alone is not None and alone.velocity),
             lower_id_first=style.lower_id_first, reference=style.reference, can_break=part.can_break,
-            one_type=sim.bond_types == 1, tally=level > 0, tabled=part.tabled, watch=part.watch, share=level > 1,
+            one_type=sim.bond_types == 1, tally=level > 0, tabled=part.tabled, individual=style.volumes(part.options), watch=part.watch, share=level > 1,
         )  # fmt: skip
 
     # ---- after each rebuild -----------------------------------------------------------------------------------
@@ -103,11 +102,14 @@ class ForceField:
         rows = atoms.total if self._pairs.shared else 0
         if len(self._shares) != rows:
             self._shares = np.zeros((rows, SHARES))
+        for listed in self.bonds:
+            if listed.volumes:
+                listed.volumes.bind(sim, listed)
         self._bond_calls = [
             {
                 (level, may_break): kernel(functions[level]).bind(
                     atoms.x, atoms.v, atoms.f, atoms.tag, atoms.type, listed.bonds, listed.history, listed.count,
-                    listed.part.table, listed.part.data, self._own, table, data, len(table), self._sums, self._virial,
+                    listed.part.table, listed.part.data, listed.own, table, data, len(table), self._sums, self._virial,
                     self._pairs.virial, self._shares, self._pairs.shares, listed.broken, listed.noted, int(may_break), atoms.n,
                 )
                 for level in functions
@@ -137,6 +139,7 @@ class ForceField:
         """Bonds of each style in turn; then what breaks is booked. For forces alone no sums are touched."""
         if not wanted:
             for listed, calls in zip(self.bonds, self._bond_calls, strict=True):
+                self._precede(sim, listed)
                 self._follow(sim, listed, calls[0, not setup or listed.part.style.breaks_in_setup](), breaks)
             return
         energy = 0.0
@@ -147,6 +150,7 @@ class ForceField:
         for listed, calls in zip(self.bonds, self._bond_calls, strict=True):
             self._virial[:] = 0.0
             self._shares[:] = 0.0
+            self._precede(sim, listed)
             broken = calls[level, not setup or listed.part.style.breaks_in_setup]()
             energy += self._sums[0]
             virial += self._virial
@@ -160,13 +164,19 @@ class ForceField:
         if level == SHARED:
             sim.tally.pair_shares, sim.tally.bond_shares = self._pairs.shares.copy(), shares
 
-    @staticmethod
-    def _follow(sim: Simulation, listed: BondList, broken: float, breaks: Breaks) -> None:
+    def _precede(self, sim: Simulation, listed: BondList) -> None:
+        """What an evaluation of bonds needs."""
+        if listed.volumes:
+            listed.volumes.measure(sim, self.ghosts)
+
+    def _follow(self, sim: Simulation, listed: BondList, broken: float, breaks: Breaks) -> None:
         """What follows from an evaluation of bonds: reports of a style, broken bonds."""
         if listed.part.style.report is not None and (notes := int(listed.noted[0])):
             listed.part.style.report(sim, listed.part, listed.bonds[listed.noted[1 : 1 + notes]])
         if broken:
             breaks.record(sim, listed, int(broken))
+            if listed.volumes:
+                listed.volumes.lose(sim, self.ghosts, listed, int(broken))
 
     def anybody_moved(self, sim: Simulation) -> bool:
         """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""

@@ -60,10 +60,10 @@ class BondPart:
         columns = tuple(self.style.freeze(tuple(self.table[kinds].T)))
         return (*columns, self.data) if self.tabled else columns
 
-    def evaluate(self, kinds: Ints, r2: Floats, dot: Floats, history: Floats) -> tuple[Floats, Floats]:
-        """Force over r and energy of many bonds by the law itself. history: (bonds, memory)."""
+    def evaluate(self, kinds: Ints, r2: Floats, dot: Floats, history: Floats, own: Floats | None = None) -> tuple[Floats, Floats]:
+        """Force over r and energy of many bonds by the law itself. history: (bonds, memory); own: a number of each, if the law needs it."""
         force, energy = np.zeros(len(r2)), np.zeros(len(r2))
-        columns = self.columns(kinds)
+        columns = (*self.columns(kinds), *(() if own is None else (own,)))
         with np.errstate(all="ignore"):
             result = self.law(r2, dot, tuple(history.T), columns)
         force[:], energy[:] = result[0], result[1]
@@ -129,6 +129,8 @@ class Bond:
             if part.waits:
                 part.waits, part.memory_born = False, next(BIRTHS)
                 bond_memory.take(sim, part)
+            if part.style.volumes(part.options):
+                bond_memory.take_volumes(sim)
             if part.style.reference and part.longest_reference == 0.0:
                 stored = bond_memory.longest_reference(sim) if part.stored else 0.0
                 part.longest_reference = stored or longest_bond(sim)
@@ -173,7 +175,7 @@ def _coefficients(sim: Simulation, args: Args, part: BondPart) -> tuple[float, .
         names = " ".join(c.name for c in part.style.coeffs)
         args.fail("Incorrect args for bond coefficients", at, hint=f"bond_coeff TYPE {names}")
     values = tuple([args.number() for _ in range(given)] + [0.0] * (wanted - given))
-    part.style.check(args, values)
+    part.style.check(part.options, args, values)
     return values
 
 

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.model import bond_volumes
+
 if TYPE_CHECKING:
     from pylmp.model.atoms import Floats
     from pylmp.model.bond import BondPart
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
 FLAG, PER_ATOM, BREAKS = "BOND_HISTORY", "property/atom", "UPDATE_SPECIAL_BONDS"
 BREAKS_ID = "BPM_UPDATE_SPECIAL_BONDS"
 PLACES_ID = "BPM_property_atom"  # where atoms were when store/local asked for x/ref, y/ref, z/ref
+VOLUMES_ID = "BOND_BPM_SPRING_FIX_PROPERTY_ATOM"
 KNOWN = struct.pack("<d", 1.0)  # r0 of every bond is known
 PLACES = "bpm reference"  # the same in Atoms.extra
 
@@ -62,6 +65,14 @@ def take_breaks(sim: Simulation, part: BondPart) -> None:
     """The fix that turns broken pairs into ordinary neighbors keeps nothing, but LAMMPS says that it is there again."""
     if sim.waiting is not None and part.updates_special:
         sim.waiting.take(sim, BREAKS_ID, BREAKS)
+
+
+def take_volumes(sim: Simulation) -> None:
+    """The same of the volumes of atoms."""
+    found = sim.waiting.take_atoms(sim, VOLUMES_ID, PER_ATOM, 2) if sim.waiting is not None else None
+    if found is not None:
+        bond_volumes.restore(sim, found)
+    bond_volumes.start(sim)
 
 
 def longest_reference(sim: Simulation) -> float:

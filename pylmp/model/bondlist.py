@@ -12,6 +12,7 @@ from pylmp.kernels.exact import bond as loops
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.store import kernel
 from pylmp.model.bond import BondPart, bond_pairs
+from pylmp.model.bond_volumes import Volumes
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
@@ -87,14 +88,23 @@ class Listing:
 
 
 class BondList(Listing):
-    """The bonds that one style evaluates. broken (capacity,) int64: room for the entries that break in one step; noted
-    (1 + capacity,): how many of one evaluation its style wants reported, then these."""
+    """The bonds that one style evaluates.
+
+    broken   (capacity,) int64: room for the entries that break in one step
+    noted    (1 + capacity,): how many of one evaluation its style wants reported, then these
+    volumes  of atoms, if the style asks for them; own (capacity,): what it makes of them for each bond
+    """
 
     def __init__(self, sim: Simulation, part: BondPart) -> None:
         super().__init__(sim, part.mine)
         self.part = part
         self.broken, self.noted = np.zeros(len(self.bonds), np.int64), np.zeros(len(self.bonds) + 1, np.int64)
+        self.own = np.zeros(len(self.bonds))
+        self.volumes = Volumes(sim, part) if part.style.volumes(part.options) else None
         self.misplaced: Listing | None = None
+
+    def functions(self) -> list[Function]:
+        return [*super().functions(), *(self.volumes.functions() if self.volumes else ())]
 
     def build(self, sim: Simulation, ghosts: Ghosts, tolerant: bool = False) -> None:
         self.misplaced = None
@@ -103,6 +113,7 @@ class BondList(Listing):
     def _grow(self, rows: int) -> None:
         super()._grow(rows)
         self.broken, self.noted = np.zeros(rows, np.int64), np.zeros(rows + 1, np.int64)
+        self.own = np.zeros(rows)
 
     def copy_back(self, sim: Simulation) -> None:
         if not (self.part.memory and self.part.style.evolves):

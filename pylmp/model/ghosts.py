@@ -123,5 +123,12 @@ class Ghosts:
             rows = slice(int(self.swaps[1 + k]), int(self.swaps[2 + k]))
             np.add.at(values, self.source[rows], values[rows])
 
+    def spread(self, values: Floats) -> None:
+        """Give ghosts what their sources have, in place. values: (rows, ...)."""
+        count = int(self.swaps[0])
+        for k in range(count):
+            rows = slice(int(self.swaps[1 + k]), int(self.swaps[2 + k]))
+            values[rows] = values[self.source[rows]]
+
     def bind_reverse(self, sim: Simulation) -> Callable[[], float]:
         return kernel(self._reverse).bind(sim.atoms.f, self.source, self.swaps)

@@ -82,10 +82,11 @@ class BondStyle:
     omp            the manual lists an /omp name: the same law
     read           (sim, words of bond_coeff, options) -> (coeffs, numbers that the law looks up): c then ends with where these begin,
                    and with the array of all; None: bond_coeff gives coeffs themselves
+    volumes        options -> it asks for volumes of atoms (model/bond_volumes.py); its c ends with a number of each bond
     watch          options -> (r2, c) -> this bond must be reported
     report         (sim, part, bonds (k, 3) rows and type) does so, in order: a warning, or a ScriptError
     report_alone   (sim, part, r2 (k,), types (k,)) the same where bonds are evaluated one by one, outside the loop over all
-    check          (args, coefficients) fails where they do not fit together
+    check          (options, args, coefficients) fails where they do not fit together
     cautions       (sim, options) -> warnings before every run
     release        its name in the LAMMPS release, "" if it has none
     optional_coeffs   how many of the last coefficients may be left out (0.0 then)
@@ -116,10 +117,11 @@ class BondStyle:
     writes: bool = True
     omp: bool = False
     read: Callable[[Simulation, Args, Options], tuple[tuple[float, ...], Any]] | None = None
+    volumes: Callable[[Options], bool] = NEVER
     watch: Callable[[Options], Law] | None = None
     report: Callable[[Simulation, Any, Any], None] | None = None
     report_alone: Callable[[Simulation, Any, Any, Any], None] | None = None
-    check: Callable[[Args, tuple[float, ...]], None] = lambda args, coeffs: None
+    check: Callable[[Options, Args, tuple[float, ...]], None] = lambda options, args, coeffs: None
     cautions: Callable[[Simulation, Options], list[str]] = lambda sim, options: []
     release: str = ""
     optional_coeffs: int = 0

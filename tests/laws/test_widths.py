@@ -25,7 +25,8 @@ PLASTIC = [
 ]
 BOND_LAWS = [
     *(("bpm/spring/plastic", options, (10.3, 0.3, 0.51, 0.021)) for options in PLASTIC),
-    *(("bpm/spring", options, (10.3, 0.3, 0.51, 0.0)) for options in PLASTIC),
+    *(("bpm/spring", {**options, "volume/factor": False}, (10.3, 0.3, 0.51, 0.0)) for options in PLASTIC),
+    *(("bpm/spring", {**options, "volume/factor": True}, (10.3, 0.3, 0.51, 4.1, 1.07)) for options in PLASTIC),
     ("quartic", {}, (1200.0, -0.55, 0.25, 1.3, 34.6878)),
     ("quartic/breakable", {}, (1200.0, -0.55, 0.25, 1.3, 34.6878)),
     ("quartic/unbreakable", {}, (200.0, -1.55, 0.57, 0.7, 3.022)),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+DECKS = Path(__file__).parents[1] / "decks"
 BONDS = "bond/types 2 extra/bond/per/atom 6 extra/special/per/atom 40"
 SETUP = """units lj
 {before}
@@ -32,6 +35,8 @@ ONES = "special_bonds lj/coul 1 1 1\n"
 BPM = "special_bonds lj 0 1 1 coul 1 1 1\ncomm_modify vel yes cutoff 3.5\npair_coeff * * 1.0 0.7\n"
 HARMONIC = "bond_style harmonic\nbond_coeff 1 60 1.07\nbond_coeff 2 90 1.0\n"
 QUARTIC = "bond_style quartic\nbond_coeff 1 1200 -0.55 0.25 1.3 34.6878\nbond_coeff 2 1000 -0.5 0.25 1.25 30\n"
+PAIR_TABLE = f"pair_coeff * * {DECKS}/pair/table.table PLAIN\n"
+BOND_TABLE = f"bond_coeff * {DECKS}/bond/table.table MORSE\n"
 PLASTIC = "bond_style bpm/spring/plastic{words}\nbond_coeff 1 60 0.25 0.3 0.05\nbond_coeff 2 80 0.2 0.1 0.1\n"
 TWO = "bond_coeff 1 bpm/spring/plastic 60 0.25 0.3 0.05\nbond_coeff 2 quartic 1000 -0.5 0.25 1.25 30\n"
 TWO_STYLES = "bond_style hybrid bpm/spring/plastic overlay/pair yes quartic\n"
@@ -76,6 +81,16 @@ SCENES: dict[str, tuple[str, str]] = {
     "bonds without force": (setup(NET + "bond_style zero\nbond_coeff 1 1.2\nbond_coeff 2\n"), NVE),
     "bonds turned off": (setup(NET + HARMONIC + "group few id 1:30\ndelete_bonds few bond 1\n"), NVE),
     "pairs without force": (setup(NET + "pair_style zero 1.5\npair_coeff * *\npair_coeff 1 2 1.2\n" + HARMONIC), NVE),
+    **{
+        f"bpm/spring, volumes{words}, newton {newton}": (
+            setup(NET + BPM + f"bond_style bpm/spring volume/factor yes{words}\nbond_coeff 1 60 0.25 0.3 9\nbond_coeff 2 80 0.2 0.1 -5\n", newton=newton, heat=2.0),
+            NVE,
+        )
+        for words, newton in (("", "on off"), (" break no smooth no", "on on"))
+    },
+    "tables": (
+        setup(NET + f"pair_style table spline 30 pppm\n{PAIR_TABLE}bond_style table linear 50\n{BOND_TABLE}"), PAIR_TABLE + BOND_TABLE + NVE,
+    ),
     "pair bpm/spring": (
         setup(NET + "comm_modify vel yes\npair_style bpm/spring\npair_coeff * * 2 1.1 0.3\npair_coeff 2 2 3 1.2 0.1\n" + HARMONIC), NVE,
     ),

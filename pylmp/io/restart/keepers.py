@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pylmp.model import bond_memory
+from pylmp.model import bond_memory, bond_volumes
 from pylmp.model.atoms import Floats
 from pylmp.model.bond import BondPart
 from pylmp.model.simulation import Simulation
@@ -49,4 +49,6 @@ def _of_bonds(sim: Simulation) -> list[Keeper]:
             values = bond_memory.values(sim, part)
             name = bond_memory.per_atom_id(part.style.name)
             found.append(Keeper(part.memory_born, name, bond_memory.PER_ATOM, None, values))
+        if part.style.volumes(part.options):
+            found.append(Keeper(part.memory_born, bond_memory.VOLUMES_ID, bond_memory.PER_ATOM, None, bond_volumes.kept(sim)))
     return found
