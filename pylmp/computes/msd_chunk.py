@@ -10,7 +10,7 @@ import struct
 import numpy as np
 
 from pylmp.model.atoms import Floats
-from pylmp.model.chunks import OfChunks, per_mass, sums
+from pylmp.model.chunks import OfChunks, mean
 from pylmp.model.motion import unwrapped
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
@@ -47,8 +47,7 @@ class MeanSquaredDisplacementOfChunks(OfChunks):
 
     def _centers(self, sim: Simulation) -> Floats:
         rows, ids, count = self.chunked(sim)
-        m = sim.masses()[rows]
-        return per_mass(sums(ids, unwrapped(sim, rows) * m[:, None], count), sums(ids, m, count))
+        return mean(sim, rows, ids, count, unwrapped(sim, rows))
 
     def array(self, sim: Simulation) -> Floats:
         """(chunks, 4)"""

@@ -70,9 +70,34 @@ class OfChunks(Compute):
     def arms(self, sim: Simulation) -> tuple[Floats, NDArray[np.bool_], Ints, int]:
         """(k, 3) unwrapped positions relative to the chunks' centers of mass, then what chunked gives."""
         rows, ids, count = self.chunked(sim)
-        m, x = sim.masses()[rows], unwrapped(sim, rows)
-        centers = per_mass(sums(ids, x * m[:, None], count), sums(ids, m, count))
-        return x - centers[ids], rows, ids, count
+        x = unwrapped(sim, rows)
+        return x - mean(sim, rows, ids, count, x)[ids], rows, ids, count
+
+
+class MeanOfChunks(OfChunks):
+    """A compute without further words: the mean, by mass, of a vector of atoms (values) in each chunk."""
+
+    columns = 3
+
+    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
+        super().__init__(sim, identity, group, bit, args)
+        if len(args):
+            args.illegal(args.peek())
+
+    def values(self, sim: Simulation, rows: NDArray[np.bool_]) -> Floats:
+        """(k, 3) of the chosen atoms."""
+        raise NotImplementedError
+
+    def array(self, sim: Simulation) -> Floats:
+        """(chunks, 3), 0.0 of a chunk without atoms"""
+        rows, ids, count = self.chunked(sim)
+        return mean(sim, rows, ids, count, self.values(sim, rows))
+
+
+def mean(sim: Simulation, rows: NDArray[np.bool_], ids: Ints, count: int, values: Floats) -> Floats:
+    """(count, m) means by mass of values (k, m) over each chunk, of atoms that OfChunks.chunked gave."""
+    m = sim.masses()[rows]
+    return per_mass(sums(ids, values * m[:, None], count), sums(ids, m, count))
 
 
 def sums(ids: Ints, values: Floats, count: int) -> Floats:
