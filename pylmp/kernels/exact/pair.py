@@ -19,7 +19,7 @@ def pair_loop(
     last    of the styles that act one after the other: the virial is summed over the forces of all
 
     The law is evaluated for every listed pair and yields zero beyond its cutoff: without the unpredictable branch the
-    loop is 1.65 times faster, and adding zeros changes nothing.
+    loop is 1.65 times faster, and adding zeros changes nothing, as long as they are zeros.
     """
     load = coefficients(width, tabled)
     watched = watch is not None
@@ -54,6 +54,8 @@ def pair_loop(
                 dy = yi - x[3 * j + 1]
                 dz = zi - x[3 * j + 2]
                 r2 = dx * dx + dy * dy + dz * dz
+                if not r2 < 1.0e300:  # no number: zero times it would be none either
+                    continue
                 dot = 0.0
                 if velocity:
                     dot = (
