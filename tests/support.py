@@ -45,7 +45,7 @@ def frames(path: Path) -> list[tuple[int, list[str], np.ndarray]]:
     return result
 
 
-def simulate(script: str, folder: Path, engine=None):
+def simulate(script: str, folder: Path, engine=None, screen: io.StringIO | None = None):
     """Run script in this process on pylmp in folder, on the exact engine or another; returns (simulation, screen text). Errors are raised."""
     from pylmp.engines.exact import Exact
     from pylmp.interpreter import run_text
@@ -53,7 +53,7 @@ def simulate(script: str, folder: Path, engine=None):
     from pylmp.model.simulation import Simulation
 
     folder.mkdir(parents=True, exist_ok=True)
-    screen = io.StringIO()
+    screen = screen or io.StringIO()
     sim = Simulation(Console(screen, None), engine or Exact())
     before = Path.cwd()
     os.chdir(folder)

@@ -64,6 +64,8 @@ def warn(sim: Any, first: int, second: int, number: Any, bad: bool) -> None:
 
 def squared(sim: Any, first: int, second: int) -> Any:
     d = sim.atoms.x[first] - sim.atoms.x[second]
+    if not sim.atoms.ghosts:  # no image of the second stands beside the first
+        d = sim.box.minimum_image(d[None])[0]
     return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
 
 

@@ -69,7 +69,7 @@ def _bond_obstacles(sim: Simulation) -> list[str]:
     style = parts[0].style if parts else None
     if style is not None and style.volumes(parts[0].options):
         return [f"bond_style {style.name} volume/factor yes"]
-    if style is not None and (style.read is not None or style.watch is not None):
+    if style is not None and style.read is not None:
         return [f"bond_style {style.name}"]
     return []
 

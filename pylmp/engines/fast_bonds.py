@@ -74,12 +74,13 @@ class FastBonds:
         return BondTerm(
             part.law, part.table.shape[1], part.memory, style.velocity, sim.bond_types == 1, style.reference, part.can_break,
             part.updates_special and pair is not None, pair.alone if style.subtract_pair and pair is not None else None,
+            part.watch,
         )  # fmt: skip
 
     def _allocate(self, slots: int, count: int) -> None:
         self.slots = slots
         room = slots + LANES
-        self.to, self.kind, self.broken = (np.zeros(room, np.int32) for _ in range(3))
+        self.to, self.kind, self.broken, self.noted = (np.zeros(room + 1, np.int32) for _ in range(4))
         self.owner = np.full(room, -1, np.int32)
         self.memories = np.zeros(max(1, self.memory) * slots + LANES)
         self.first, self.depth = np.zeros(count + 1, np.int64), np.zeros(count + 1, np.int32)
@@ -148,6 +149,15 @@ class FastBonds:
         )()  # fmt: skip
         if part.style.on_break != "zero":
             sim.bonds -= int(gone)
+
+    def report(self, sim: Simulation) -> None:
+        """What the style says of the noted bonds: a warning, or a ScriptError. By rows, each bond once."""
+        count = int(self.noted[0])
+        if self.part.style.report is not None and count:
+            at = self.noted[1 : 1 + count]
+            at = at[self.owner[at] < self.to[at] // 3]
+            at = at[np.argsort(self.owner[at], kind="stable")]
+            self.part.style.report(sim, self.part, np.stack([self.owner[at], self.to[at] // 3, self.kind[at]], axis=1).astype(np.int64))
 
     def _record(self, sim: Simulation, broken: NDArray[np.int32]) -> None:
         for p in broken:

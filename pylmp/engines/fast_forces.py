@@ -44,6 +44,7 @@ class FastForces:
         self._moved, self._extent = neighbor_loops.moved(), loops.extents()
         self._calls: list[Call] = []
         self._may_break = np.zeros(1, np.int64)
+        self._reports = bool(self.bonds) and self.bonds[0].part.style.report is not None
         self._moved_call: Call = lambda: 0.0
         self._sums = np.zeros(TALLIES)
         self._kinds = np.zeros(0, np.int32)
@@ -119,7 +120,7 @@ class FastForces:
         self._calls = [
             kernel(function).bind(
                 atoms.x, atoms.v, atoms.f, self._kinds, *listing, table, len(table), *listed, self._length, self._sums,
-                bonds.broken if bonds else small, self._may_break, 0, blocks(atoms.n),
+                *((bonds.broken, bonds.noted) if bonds else (small, small)), self._may_break, 0, blocks(atoms.n),
             )
             for function in self._kernels
         ]  # fmt: skip
@@ -140,6 +141,8 @@ class FastForces:
             sim.tally.pair, sim.tally.bond = sums[0] + sums[2], sums[1]
             sim.tally.pair_virial[:] = sums[3:9]
             sim.tally.bond_virial[:] = sums[9:]
+        if self._reports:
+            self.bonds[0].report(sim)
         if broken:
             self.bonds[0].book(sim, broken)
 

@@ -47,6 +47,7 @@ BONDS = {
     "overlaid": "special_bonds lj/coul 1 1 1\nbond_style bpm/spring/plastic overlay/pair yes smooth no\nbond_coeff * 60 0.12 0.8 0.02\n",
     "spring": "special_bonds lj 0 1 1 coul 1 1 1\nbond_style bpm/spring\nbond_coeff 1 60 0.15 0.8\nbond_coeff 2 26 0.25 0.5\n",
     "harmonic": "special_bonds lj/coul 0 1 1\nbond_style harmonic\nbond_coeff * 40 1.1\n",
+    "fene": "special_bonds fene\nbond_style fene\nbond_coeff 1 20 1.6 1.0 0.9\nbond_coeff 2 20 1.9 1.0 1.0\n",
     "morse": "special_bonds lj/coul 0 1 1\nbond_style morse\nbond_coeff * 20 2.0 1.1\n",
 }  # fmt: skip
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from pylmp.engines.fast import Fast
+from pylmp.text.diagnostic import ScriptError
 from tests.engines.scenes import BONDS, PAIRS, script
 from tests.support import simulate
 
@@ -152,3 +154,16 @@ def test_goes_on_without_set_up(tmp_path: Path) -> None:
     exact, fast = both(text, tmp_path)
     assert np.abs(rows(fast, "x") - rows(exact, "x")).max() <= 1e-11
     assert bonds(fast) == bonds(exact)
+
+
+def test_reports_of_a_style(tmp_path: Path) -> None:
+    """Bonds that bond_style fene finds too long are named in the same steps; each once, where LAMMPS names bonds across a face twice."""
+    text = script("lj", "fene", heat=120.0, seed=4) + "timestep 0.006\nthermo_modify warn 1000\nrun 40\n"
+    said = []
+    for engine in (None, Fast()):
+        with pytest.raises(ScriptError, match="Bad FENE bond"):
+            simulate(text, tmp_path / f"{engine}", engine, screen := io.StringIO())
+        lines = [line.split() for line in screen.getvalue().splitlines() if "FENE bond too long" in line]
+        said.append({(int(step), frozenset((first, second))) for *_, step, first, second, _ in lines})
+    assert said[0] == said[1]
+    assert len(said[0]) > 100

@@ -53,7 +53,7 @@ def numbers() -> tuple[np.ndarray, np.ndarray, np.random.Generator]:
 
 
 PAIR_NAMES = [name for name in PAIRS.names() if (s := PAIRS.find(name)) and s.law is not None and s.data is None]
-BOND_NAMES = [name for name in BONDS.names() if (s := BONDS.find(name)) and s.data is None and s.law is not None and s.coeffs]
+BOND_NAMES = [name for name in BONDS.names() if (s := BONDS.find(name)) and s.read is None and s.law is not None and s.coeffs]
 
 
 @pytest.mark.parametrize("name", PAIR_NAMES)

@@ -45,6 +45,7 @@ class BondTerm:
     can_break   the law may say that a bond is not alive
     instead     a broken bond's atoms interact as a pair from the next step on
     alone       the pair law that acts no longer between bonded atoms, or None: it is taken out again
+    watch       None, or watch(r2, c) -> this bond must be reported
     """
 
     law: Function
@@ -56,6 +57,7 @@ class BondTerm:
     can_break: bool
     instead: bool
     alone: Function
+    watch: Function
 
 
 def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[bool, bool, bool], tally: bool) -> Function:
@@ -63,11 +65,11 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
     px, py, pz = periodic
     paired, bonded = pair is not None, bond is not None
     pair = pair or PairTerm(None, 0, False, True)
-    bond = bond or BondTerm(None, 0, 0, False, True, False, False, False, None)
+    bond = bond or BondTerm(None, 0, 0, False, True, False, False, False, None, None)
     pair_law, pair_width, pair_velocity, one_type = pair.law, pair.width, pair.velocity, pair.one_type
     bond_law, memory, one_bond_type, can_break, instead = bond.law, bond.memory, bond.one_type, bond.can_break, bond.instead
     bond_velocity, reference, subtract, alone = bond.velocity, bond.reference, bond.alone is not None, bond.alone
-    bond_width = bond.width
+    bond_width, watched, watch = bond.width, bond.watch is not None, bond.watch
     moving = pair_velocity or bond_velocity
     pair_row, pair_columns = row(pair_width), columns(pair_width)
     bond_row, bond_columns = row(bond_width), columns(bond_width)
@@ -82,18 +84,19 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
     def forces(
         x: "f8*", v: "f8*", f: "f8*", kinds: "i4*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", table: "f8*",
         types: "i8", bond_first: "i8*", bond_depth: "i4*", bond_to: "i4*", bond_kind: "i4*", history: "f8*", slots: "i8",
-        bond_table: "f8*", lengths: "f8*", sums: "f8*", broken: "i4*", may_break: "i8*",
+        bond_table: "f8*", lengths: "f8*", sums: "f8*", broken: "i4*", noted: "i4*", may_break: "i8*",
         begin: "i8", end: "i8",
     ) -> "f8":
         """Set f in the rows of blocks begin to end; sums (TALLIES,) is set when tallying.
 
         may_break[0]: 0 where no bond may. kinds: types of atoms, kinds[3 i] of row i. bond_kind: type of each slot, 0 none, below 0 broken since the last list. broken:
-        slots of bonds that broke, one at each end. Returns how many.
+        slots of bonds that broke, one at each end. noted: how many bonds must be reported, then their slots. Returns how many broke.
         """
         lx = lengths[0]
         ly = lengths[1]
         lz = lengths[2]
         breaks = 0
+        notes = 0
         pe = splat(0.0, LANES)
         be = splat(0.0, LANES)
         te = splat(0.0, LANES)
@@ -194,6 +197,14 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                             store(history, k, select(new, sqrt(r2), load(history, k, LANES)))
                             for m in range(1, memory):
                                 store(history, m * slots + k, select(new, 0.0, load(history, m * slots + k, LANES)))
+                    if watched:
+                        if one_bond_type:
+                            worth = active & watch(r2, bc)
+                        else:
+                            at = select(active, kind, splat_whole(1, LANES)) * bond_width
+                            worth = active & watch(r2, bond_columns(bond_table, at))
+                        if some(worth):
+                            notes += compress(noted, 1 + notes, count_up(k, LANES), worth)
                     if one_bond_type:
                         force, e, remembered, alive = bond_law(r2, dot, recall(history, k, slots), bc)
                     else:
@@ -254,6 +265,8 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
             scatter(f, i, 0, fx)
             scatter(f, i, 1, fy)
             scatter(f, i, 2, fz)
+        if watched:
+            noted[0] = notes
         if tally:  # each pair was met at both ends
             sums[0] = 0.5 * total(pe)
             sums[1] = 0.5 * total(be)
