@@ -61,6 +61,8 @@ def test_the_loops_of_lammps_s_own_log(tmp_path: Path) -> None:
     assert [(run.steps, run.atoms) for run in runs] == [(5, 256), (50, 256)]
     assert all(run.seconds > 0.0 and run.share is not None for run in runs)
     assert all(run.instead is None for run in runs)
+    assert list(runs[1].sections) == ["Pair", "Neigh", "Comm", "Output", "Modify", "Other"]
+    assert 0.5 < sum(runs[1].sections.values()) / runs[1].seconds < 1.01
 
 
 def test_who_stepped_in_is_read_run_by_run() -> None:
@@ -113,6 +115,14 @@ def test_the_table_says_medians_and_spread() -> None:
     assert lines[5].split()[:5] == ["LAMMPS,", "mpiexec", "-n", "2", "failed"]
     assert lines[6] == "  LAMMPS, mpiexec -n 2 failed: ERROR: no"
     assert len({len(line) for line in table.markdown([result]).splitlines()[:5]}) == 1
+
+
+def test_the_parts_of_a_loop() -> None:
+    row = Row(contender("fast"), None, [Sample(Loop(t, 10, 1000, 1.0, sections={"Pair": t / 2, "Other": t / 4}), t, 0.0, 0) for t in (1, 2, 4)])
+    head, cells = table.parts([Result(Path("in.x"), "", [row], [])])
+    assert dict(zip(head, cells, strict=True)) == {"script": "`in.x`", "engine": "pylmp, fast"} | {
+        name: {"Pair": "100000.0", "Other": "50000.0"}.get(name, "0.0") for name in table.PARTS
+    }
 
 
 def test_json_holds_every_run() -> None:

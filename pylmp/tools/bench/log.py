@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 _LOOP = re.compile(r"^Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms", re.M)
 _SHARE = re.compile(r"^([\d.]+)% CPU use with (\d+) MPI tasks x (\d+|no) OpenMP threads", re.M)
+_SECTION = re.compile(r"^(Pair|Bond|Kspace|Neigh|Comm|Output|Modify|Other) +\|[^|\n]*\| *([\d.e+-]+) *\|", re.M)
 _INSTEAD = re.compile(r"^Engine (\w+) for this run: (.+)$", re.M)
 
 
@@ -14,7 +15,8 @@ _INSTEAD = re.compile(r"^Engine (\w+) for this run: (.+)$", re.M)
 class Loop:
     """One run. seconds: its loop. share: processor use of its threads together, 1 is one processor, None if not said.
 
-    instead, why: the engine that stepped in for the one asked for, and its reason; None if none did.
+    instead, why: the engine that stepped in for the one asked for, and its reason; None if none did. sections: seconds of each
+    part of the loop, as the table below it says.
     """
 
     seconds: float
@@ -23,6 +25,7 @@ class Loop:
     share: float | None
     instead: str | None = None
     why: str | None = None
+    sections: dict[str, float] = field(default_factory=dict)
 
 
 def loops(text: str) -> list[Loop]:
@@ -33,13 +36,10 @@ def loops(text: str) -> list[Loop]:
         before = text[found[k - 1].end() if k else 0 : match.start()]
         after = text[match.end() : found[k + 1].start() if k + 1 < len(found) else len(text)]
         said, instead = _SHARE.search(after), _INSTEAD.search(before)
-        result.append(
-            Loop(
-                float(match[1]), int(match[3]), int(match[4]),
-                float(said[1]) / 100.0 * int(said[2]) if said else None,
-                *((instead[1], instead[2]) if instead else (None, None)),
-            )  # fmt: skip
-        )
+        share = float(said[1]) / 100.0 * int(said[2]) if said else None
+        who, why = (instead[1], instead[2]) if instead else (None, None)
+        sections = {name: float(seconds) for name, seconds in _SECTION.findall(after)}
+        result.append(Loop(float(match[1]), int(match[3]), int(match[4]), share, who, why, sections))
     return result
 
 

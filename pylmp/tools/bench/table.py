@@ -8,6 +8,7 @@ from pylmp.tools.bench.measure import Result, Row
 
 HEAD = ("engine", "ns/atom/step", "least", "most", "steps/s", "LAMMPS/it", "by CPU time", "CPU use", "outside loops, s", "first run, s")
 NOTHING = "-"
+PARTS = ("Pair", "Bond", "Neigh", "Comm", "Modify", "Output", "Other")
 
 
 def text(results: Sequence[Result]) -> str:
@@ -16,9 +17,10 @@ def text(results: Sequence[Result]) -> str:
 
 
 def markdown(results: Sequence[Result]) -> str:
-    """One table of all scripts, and the remarks under it."""
+    """One table of all scripts, one of the parts of their loops, and the remarks."""
     rows = [(f"`{result.script.name}`", *cells(row)) for result in results for row in result.rows]
     lines = grid([("script", *HEAD), *rows], bars=True)
+    lines += ["", "Where the time goes, ns per atom and step, medians:", "", *grid(parts(results), bars=True)]
     notes = [f"- `{result.script.name}`: {note}" for result in results for note in remarks(result)]
     return "\n".join([*lines, *(["", *notes] if notes else [])])
 
@@ -42,6 +44,17 @@ def cells(row: Row) -> tuple[str, ...]:
         f"{row.median(lambda s: s.rest):.2f}",
         NOTHING if row.first is None else f"{row.first.whole:.2f}",
     )  # fmt: skip
+
+
+def parts(results: Sequence[Result]) -> list[tuple[str, ...]]:
+    """Head and a row for each script and engine: the parts of the loop, per atom and step."""
+    table: list[tuple[str, ...]] = [("script", "engine", *PARTS)]
+    for result in results:
+        for row in result.rows:
+            if row.samples and row.said is None:
+                costs = (row.median(lambda s, part=name: s.loop.sections.get(part, 0.0)) for name in PARTS)  # type: ignore[misc]
+                table.append((f"`{result.script.name}`", row.contender.title, *(f"{1e9 * cost / row.work:.1f}" for cost in costs)))
+    return table
 
 
 def remarks(result: Result) -> list[str]:
