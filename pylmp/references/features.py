@@ -58,6 +58,9 @@ def is_available(scope: Scope, names: tuple[str, ...], mode: str) -> float:
     return float(registry.find(name) is not None)
 
 
+_RESPA = ("lj/cut", "zero")  # pair styles that LAMMPS can split for run_style respa
+
+
 def is_active(scope: Scope, names: tuple[str, ...], mode: str) -> float:
     """Is a setting in force."""
     category, name = _two("is_active", names)
@@ -70,11 +73,9 @@ def is_active(scope: Scope, names: tuple[str, ...], mode: str) -> float:
         states = {"pair": sim.newton_pair, "bond": sim.newton_bond, "any": sim.newton_pair or sim.newton_bond}
     elif category == "pair":
         pair = sim.pair
-        there = pair is not None
-        states = {
-            "single": there, "respa": there, "manybody": False, "tail": there and bool(pair.tail),
-            "shift": there and pair.settings.shift,
-        }  # fmt: skip
+        if pair is None:
+            return 0.0
+        states = {"single": True, "respa": pair.name in _RESPA, "manybody": False, "tail": bool(pair.tail), "shift": pair.settings.shift}
     else:
         return _style(sim, category, name)
     if name not in states:
@@ -85,7 +86,7 @@ def is_active(scope: Scope, names: tuple[str, ...], mode: str) -> float:
 def _style(sim: Any, category: str, name: str) -> float:
     bond = (sim.bond.parts[0].style.name if len(sim.bond.parts) == 1 else "hybrid") if sim.bond else "none"
     styles = {
-        "comm_style": "brick", "min_style": "cg", "run_style": "verlet", "atom_style": sim.atom_style, "pair_style": sim.pair.name if sim.pair else "none",
+        "comm_style": sim.communication, "min_style": sim.minimizing.style, "run_style": "verlet", "atom_style": sim.atom_style, "pair_style": sim.pair.name if sim.pair else "none",
         "bond_style": bond, "kspace_style": "none",
     }  # fmt: skip
     for kind in ("angle", "dihedral", "improper"):

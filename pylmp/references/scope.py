@@ -5,7 +5,6 @@ And what variables need from outside: files, the environment.
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -124,7 +123,7 @@ class Scope:
         if stream is None:
             from pylmp.kernels.random import RanMars
 
-            if not math.isfinite(seed) or int(seed) <= 0:
+            if not 1.0 <= seed < 2.0**31:  # it has 32 bits
                 raise FormulaError(MATH, plain=mode != "equal")
             try:
                 stream = self._streams[mode == "equal"] = RanMars(int(seed))

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.formula import Step, number, program
-from pylmp.text.formula_error import FormulaError
+from pylmp.text.formula_error import MATH, FormulaError
 from pylmp.text.functions import FUNCTIONS, compare, modulo, power
 from pylmp.text.timed import Clock
 
@@ -19,6 +19,9 @@ _CONSTANTS = {
 _ATOM_VECTORS = frozenset("id mass type mol radius q x y z vx vy vz fx fy fz".split())
 _CUSTOM = re.compile(r"[id]2?_\w+")
 _WHOLE = re.compile(r"\s*[-+]?\d+")
+
+_MOST_VALUES = 6  # of a function
+_STATED = ("vdisplace", "swiggle", "cwiggle")  # LAMMPS says how many values they take
 
 Value = Any  # float, or a numpy array of float64: one for each atom, or the elements of a vector
 
@@ -101,6 +104,8 @@ class Evaluator:
         if kind == "call":
             return self.call(text, values)
         if kind == "named":
+            if len(step.names) > _MOST_VALUES:
+                raise FormulaError("Too many args in variable function")
             return self.named(text, step.names)
         return self._word(text, step.names)
 
@@ -159,11 +164,11 @@ class Evaluator:
     def draw(self, name: str, values: list[Value]) -> Value:
         """random(low,high,seed) and normal(mean,deviation,seed): one stream for all formulas, begun by the first seed."""
         a, b, seed = values
+        if name == "normal" and b < 0.0:
+            raise FormulaError(MATH)
         stream = self.scope.random(seed, self.mode)
         if name == "random":
             return stream.uniform() * (b - a) + a
-        if b < 0.0:
-            raise FormulaError("Invalid math function in variable formula")
         return a + b * stream.gaussian()
 
     def measured(self, kind: str, name: str, index: tuple[int, ...]) -> Value:
@@ -202,5 +207,8 @@ def check_call(name: str, values: list[Value]) -> None:
         raise FormulaError(f"Invalid math/group/special/feature function '{name}()' in variable formula")
     if not values:
         raise FormulaError("Invalid syntax in variable formula")
-    if len(values) != FUNCTIONS[name][0]:
-        raise FormulaError("Invalid math function in variable formula")
+    count = FUNCTIONS[name][0]
+    if len(values) > _MOST_VALUES:
+        raise FormulaError("Too many args in variable function")
+    if len(values) != count:
+        raise FormulaError(f"Invalid {name} function in variable formula: must have {count} arguments" if name in _STATED else MATH)

@@ -58,17 +58,18 @@ def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = 
     """
     if not _SPECIAL.search(line.text):
         return line
-    pieces = _pieces(line, start)
-    if len(pieces) == 1 and pieces[0].kind == "text" and pieces[0].stop == len(line.text):
+    trouble = None
+    try:
+        pieces = _pieces(line, start)
+    except ScriptError as error:  # LAMMPS replaces what comes before it finds out
+        trouble, pieces = error, _before(line.text, start)
+    if trouble is None and len(pieces) == 1 and pieces[0].kind == "text" and pieces[0].stop == len(line.text):
         return line
-    end = pieces[-1].stop if pieces else 0
+    end = len(line.text) if trouble else pieces[-1].stop if pieces else 0
     out, starts, places = "", [], []
     for piece in pieces:
         if piece.kind != "text":
-            try:
-                value = lookup(piece.key, piece.kind == "immediate")
-            except ScriptError as error:
-                raise error.at(line.span(piece.start, piece.stop)) from None
+            value = _value(line, piece, lookup)
             span = line.span(piece.start, piece.stop)
             starts.append(len(out))
             places.append(Place(span.line, span.column, span.length))
@@ -83,12 +84,35 @@ def substitute(line: Text, lookup: Lookup, echo: Callable[[str], None] | None = 
                 starts.append(len(out) + cut - piece.start)
                 places.append(Place(place.row, column, place.width))
             out += line.text[piece.start : piece.stop]
+    if trouble is not None:
+        raise trouble
     return Text(line.file, out, tuple(starts) or (0,), tuple(places) or line.places[:1])
 
 
+def _value(line: Text, piece: Piece, lookup: Lookup) -> str:
+    try:
+        return lookup(piece.key, piece.kind == "immediate")
+    except ScriptError as error:
+        raise error.at(line.span(piece.start, piece.stop)) from None
+
+
+def _before(text: str, start: str) -> tuple[Piece, ...]:
+    """What comes before the part that is wrong. A quote without end is found at once, but within a word."""
+    at = _trouble(text, start)
+    if text[at] in _QUOTES and start == "line":
+        return ()
+    try:
+        return _read(text[:at], start)
+    except UnexpectedInput:
+        return ()
+
+
 def varies(line: Text) -> bool:
-    """A variable is to be replaced in it. Raises ScriptError for quotes without end."""
-    return "$" in line.text and any(piece.kind != "text" for piece in _pieces(line, "line"))
+    """A variable is to be replaced in it, or it is wrong."""
+    try:
+        return "$" in line.text and any(piece.kind != "text" for piece in _read(line.text, "line"))
+    except UnexpectedInput:
+        return True
 
 
 def substitute_word(text: str, lookup: Lookup, placed: Callable[[], Text]) -> str:
@@ -98,7 +122,8 @@ def substitute_word(text: str, lookup: Lookup, placed: Callable[[], Text]) -> st
     try:
         pieces = _read(text, "inner")
     except UnexpectedInput:
-        pieces = _pieces(placed(), "inner")
+        substitute(placed(), lookup, start="inner")
+        raise
     out = []
     for start, stop, kind, key in pieces:
         if kind == "text":
@@ -115,11 +140,19 @@ def substitute_word(text: str, lookup: Lookup, placed: Callable[[], Text]) -> st
 def _pieces(line: Text, start: str) -> tuple[Piece, ...]:
     try:
         return _read(line.text, start)
+    except UnexpectedInput:
+        _complain(line, _trouble(line.text, start))
+
+
+def _trouble(text: str, start: str) -> int:
+    """Where a text is wrong."""
+    try:
+        _read(text, start)
     except UnexpectedInput as error:
         at = error.pos_in_stream
-        if at is None or at < 0 or at >= len(line.text):
-            at = _opening(line.text)
-        _complain(line, at)
+        if at is not None and 0 <= at < len(text) and (text[at] in _QUOTES or _opening(text) < 0):
+            return at
+    return max(_opening(text), 0)
 
 
 @lru_cache(4096)
@@ -142,8 +175,20 @@ def _read(text: str, start: str) -> tuple[Piece, ...]:
 
 
 def _opening(text: str) -> int:
-    """Where the variable begins that the end of the line left open."""
-    return max(text.rfind("${"), text.rfind("$("), 0)
+    """Where the first variable begins that the end of the line leaves open; -1: there is none."""
+    at = text.find("$")
+    while at >= 0:
+        if text.startswith("${", at) and "}" not in text[at:]:
+            return at
+        if text.startswith("$(", at):
+            depth, stop = 1, at + 2
+            while depth and stop < len(text):
+                depth += (text[stop] == "(") - (text[stop] == ")")
+                stop += 1
+            if depth:
+                return at
+        at = text.find("$", at + 1)
+    return -1
 
 
 def _complain(line: Text, at: int) -> NoReturn:
@@ -152,7 +197,7 @@ def _complain(line: Text, at: int) -> NoReturn:
     quote = '"""' if text.startswith('"""', at) else text[at]
     if quote in _QUOTES:
         raise ScriptError(f"Unmatched {_QUOTES[quote]} quote in command", span, hint=f"a second {quote} ends the text")
-    begin = _opening(text[: at + 1]) if not text.startswith("$", at) else at
+    begin = max(_opening(text[: at + 1]), 0) if not text.startswith("$", at) else at
     span = line.span(begin, max(begin + 2, at))
     if text.startswith("$(", begin):
         raise ScriptError("Invalid immediate variable", span, hint="a closing )")

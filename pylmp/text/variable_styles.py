@@ -5,7 +5,6 @@ Source: LAMMPS manual, variable.html; rules as measured on LAMMPS 22 Jul 2025.
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -19,7 +18,6 @@ FORMULAS = ("equal", "vector", "atom")  # their one value is a formula
 ADVANCING = {
     "index": "index", "loop": "loop", "file": "file", "atomfile": "atomfile", "universe": "universe", "uloop": "universe",
 }  # fmt: skip
-_FORM = re.compile(r"%[-+ #0]*\d*(\.\d+)?[eEfFgG]")
 
 
 class World(Protocol):
@@ -169,10 +167,7 @@ def _file(args: Args, style: Word, substitute: Substitute, world: World, before:
 
 def _format(args: Args, style: Word, substitute: Substitute, world: World, before: Variable | None) -> Variable:
     _expect(args, style, 2, 2, "4 arguments")
-    name, form = args.word(), args.word()
-    if not _FORM.fullmatch(form.text):
-        args.fail("Incorrect conversion in format string", form, hint="one number, as in %.3f")
-    return Variable("format", [name.text, form.text])
+    return Variable("format", [word.text for word in args.rest()])
 
 
 def _timer(args: Args, style: Word, substitute: Substitute, world: World, before: Variable | None) -> Variable:

@@ -21,8 +21,10 @@ from pylmp.text.variable_styles import ADVANCING, READERS, Variable, World
 from pylmp.text.words import Args, Word
 
 _NAME = re.compile("[A-Za-z0-9_]+")
-_FORM = re.compile(r"[^%]*%[-+ #0]*\d*\.\d+[eEfFgG][^%]*")
-_NUMBER = re.compile(r"\s*[-+]?((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?|inf(inity)?|nan)\s*", re.IGNORECASE)
+_FORM = re.compile(r"[^%]*%[ 0]?\d*\.\d+[eEfFgG][^%]*")
+_CONVERSION = re.compile(r"%[- 0]?\d*(\.\d*)?[eEfFgG]")
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+_ROOM = 63  # characters of a format-style variable
 _DEEPEST = 100  # variables that refer to variables
 
 
@@ -46,8 +48,6 @@ class Variables:
                 args.fail(text, args.peek())
             self.forget(name.text)
             return
-        if not _NAME.fullmatch(name.text):
-            args.fail(f"Variable name '{name.text}' must have only letters, numbers, or underscores", name)
         reader = READERS.get(style.text)
         if reader is None:
             args.fail(f"Unknown variable style: {style.text}", style, hint=" ".join([*READERS, "delete"]))
@@ -60,12 +60,16 @@ class Variables:
             args.fail(text, style, hint=f"variable {name.text} delete first")
         if new.style == "format":
             self._source(name.text, new)
+            if not _CONVERSION.fullmatch(new.values[1]):
+                args.fail("Incorrect conversion in format string", args.words[-1], hint="one number, as in %.3f")
         elif new.style == "vector" and new.values[0].startswith("["):
             _literal(new.values[0])
         elif ADVANCING.get(new.style) == "universe":
             sizes = {one.size for one in self.known.values() if ADVANCING.get(one.style) == "universe"}
             if sizes - {new.size}:
                 args.fail("All universe/uloop variables must have same # of values", name)
+        if not _NAME.fullmatch(name.text):
+            args.fail(f"Variable name '{name.text}' must have only letters, numbers, or underscores", name)
         self.known[name.text] = new
 
     def set_index(self, name: str, values: list[str]) -> None:
@@ -128,7 +132,7 @@ class Variables:
         return variable.told
 
     def _formatted(self, name: str, variable: Variable, scope: Scope) -> str:
-        return Format(variable.values[1])(self.value(self._source(name, variable), scope))
+        return Format(variable.values[1])(self.value(self._source(name, variable), scope))[:_ROOM]
 
     def _source(self, name: str, variable: Variable) -> str:
         """The variable that a format-style one shows."""
@@ -221,7 +225,7 @@ def immediate(text: str, scope: Scope) -> str:
     colon = text.rfind(":%")
     if colon >= 0:
         formula, form = text[:colon], text[colon + 1 :]
-        if not form.startswith("%%") and not _FORM.fullmatch(form):
+        if (not form.startswith("%%") or form.startswith("%%%")) and not _FORM.fullmatch(form):
             raise ScriptError(
                 "Incorrect conversion in format string", hint="a precision, as in %.3f", manual="Commands_parse.html"
             )

@@ -17,7 +17,7 @@ from pathlib import Path
 
 # What cannot be the same: times, memory, places in LAMMPS's source; and what pylmp adds: the place, hints, links.
 _DROPPED = re.compile(
-    r"Total wall time|NOTE: |Last input line|For more information|  --> |   \| |  hint: |  manual: |LAMMPS \(22|  using 1 Open|  pylmp "
+    r"Total wall time|NOTE: |--> parsed line: |Last input line|For more information|  --> |   \| |  hint: |  manual: |LAMMPS \(22|  using 1 Open|  pylmp "
     r"|Per MPI rank|Loop time|Performance:|  create_atoms CPU|\S+\s+\| |.*% CPU use|\s*\^+\s*$|  Please report"
 )
 
@@ -110,4 +110,6 @@ def _run_pylmp(folders: list[Path]) -> None:
 
 
 if __name__ == "__main__":
-    {"lammps": _run_lammps, "pylmp": _run_pylmp}[sys.argv[1]](sorted(Path(sys.argv[2]).resolve().iterdir()))
+    {"lammps": _run_lammps, "pylmp": _run_pylmp}[sys.argv[1]](
+        sorted(folder for folder in Path(sys.argv[2]).resolve().iterdir() if not (folder / "code").exists())
+    )
