@@ -90,7 +90,7 @@ BONDS.add(
         coeffs=(
             Coeff("K", "energy/distance^2"), Coeff("R0", "distance"), Coeff("epsilon", "energy"), Coeff("sigma", "distance"),
         ),
-        law=lambda options: fene, length=lambda coeffs, options: LENGTH * coeffs[3], watch=always(too_long), report=report,
+        adapts=("k", "r0"), law=lambda options: fene, length=lambda coeffs, options: LENGTH * coeffs[3], watch=always(too_long), report=report,
         report_alone=report_alone, cautions=cautions("fene"), omp=True, release="fene",
     ),
 )  # fmt: skip

@@ -55,7 +55,7 @@ BONDS.add(
             Coeff("K", "energy/distance^2"), Coeff("R0", "distance"), Coeff("epsilon", "energy"), Coeff("sigma", "distance"),
             Coeff("delta", "distance"),
         ),
-        law=lambda options: fene_expand, length=lambda coeffs, options: LENGTH * coeffs[3] + coeffs[4], watch=always(too_long),
+        adapts=("k", "r0", "epsilon", "sigma", "shift"), law=lambda options: fene_expand, length=lambda coeffs, options: LENGTH * coeffs[3] + coeffs[4], watch=always(too_long),
         report=report, report_alone=report_alone, cautions=cautions("fene/expand"), omp=True, release="fene/expand",
     ),
 )  # fmt: skip

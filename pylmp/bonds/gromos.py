@@ -22,6 +22,6 @@ BONDS.add(
     "gromos",
     BondStyle(
         name="gromos", manual="bond_gromos.html", coeffs=(Coeff("K", "energy/distance^4"), Coeff("r0", "distance")),
-        law=lambda options: gromos, length=lambda coeffs, options: coeffs[1], omp=True, release="gromos",
+        adapts=("k", "r0"), law=lambda options: gromos, length=lambda coeffs, options: coeffs[1], omp=True, release="gromos",
     ),
 )  # fmt: skip

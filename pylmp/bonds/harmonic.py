@@ -29,6 +29,7 @@ BONDS.add(
         name="harmonic",
         manual="bond_harmonic.html",
         coeffs=(Coeff("K", "energy/distance^2"), Coeff("r0", "distance")),
+        adapts=("k", "r0"),
         law=lambda options: harmonic,
         length=lambda coeffs, options: coeffs[1],
         omp=True,

@@ -26,6 +26,6 @@ BONDS.add(
     BondStyle(
         name="morse", manual="bond_morse.html",
         coeffs=(Coeff("D", "energy"), Coeff("alpha", "1/distance"), Coeff("r0", "distance")),
-        law=lambda options: morse, length=lambda coeffs, options: coeffs[2], omp=True, release="morse",
+        adapts=("d0", "alpha", "r0"), law=lambda options: morse, length=lambda coeffs, options: coeffs[2], omp=True, release="morse",
     ),
 )  # fmt: skip

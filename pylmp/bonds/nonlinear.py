@@ -26,6 +26,6 @@ BONDS.add(
     BondStyle(
         name="nonlinear", manual="bond_nonlinear.html",
         coeffs=(Coeff("epsilon", "energy"), Coeff("r0", "distance"), Coeff("lambda", "distance")),
-        law=lambda options: nonlinear, length=lambda coeffs, options: coeffs[1], omp=True, release="nonlinear",
+        adapts=("epsilon", "r0", "lamda"), law=lambda options: nonlinear, length=lambda coeffs, options: coeffs[1], omp=True, release="nonlinear",
     ),
 )  # fmt: skip

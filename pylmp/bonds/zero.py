@@ -26,7 +26,7 @@ BONDS.add(
     "zero",
     BondStyle(
         name="zero", manual="bond_zero.html", coeffs=(Coeff("r0", "distance"),), law=lambda options: nothing,
-        parse=parse, optional_coeffs=1, length=lambda coeffs, options: coeffs[0], release="zero",
+        parse=parse, adapts=("r0",), optional_coeffs=1, length=lambda coeffs, options: coeffs[0], release="zero",
         restart=Blob(defaults=(("nocoeff", False),)),
     ),
 )  # fmt: skip

@@ -67,6 +67,7 @@ class BondStyle:
     evolves        what a bond remembers changes with its evaluation; else LAMMPS never copies it back to the atoms
     reference      history[0] is the length at the first evaluation (r0)
     velocity       the law needs dot
+    adapts         names by which fix adapt may change the coefficients
     can_break      options -> may the law say that a bond is not alive
     on_break       "zero": the slot keeps the bond as type 0; "remove": the slot goes, the bond count falls
     breaks_in_setup     a bond may break before the first step
@@ -124,6 +125,7 @@ class BondStyle:
     check: Callable[[Options, Args, tuple[float, ...]], None] = lambda options, args, coeffs: None
     cautions: Callable[[Simulation, Options], list[str]] = lambda sim, options: []
     release: str = ""
+    adapts: tuple[str, ...] = ()
     optional_coeffs: int = 0
     restart: Blob | None = None
 
