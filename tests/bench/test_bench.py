@@ -242,11 +242,12 @@ def test_memory_of_a_child(tmp_path: Path) -> None:
 # ---- scaling, page ---------------------------------------------------------------------------------------------------
 
 
-def test_scaling_and_the_page_it_writes(tmp_path: Path) -> None:
+def test_scaling_and_the_page_it_writes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(scaling, "CELLS", (5, 6))
     who = [contender("fast"), contender("lammps")]
     switches = ["-var", "steps", "20"]
-    results = scaling.scale(DECKS, who, 1, switches, None, False, lambda text: None, cells=(5, 6))
-    assert [r.rows[0].samples[0].loop.atoms for r in results] == [500, 864]
+    results = scaling.scale(DECKS, who, 1, switches, None, False, lambda text: None)
+    assert [(r.rows[0].samples[0].loop.atoms, r.rows[0].samples[0].loop.steps) for r in results] == [(500, 20), (864, 20)]
     head, *sizes = scaling.rows(results)
     assert head[1:] == ("pylmp, fast, ns/atom/step", "LAMMPS, serial, ns/atom/step", "pylmp, fast, MB", "LAMMPS, serial, MB")
     assert [row[0] for row in sizes] == ["500", "864"]
@@ -262,6 +263,29 @@ def test_scaling_and_the_page_it_writes(tmp_path: Path) -> None:
     assert "old" not in text and "first" not in text
     assert plot.name == "page-scaling.svg"
     assert "ns per atom and step" in plot.read_text()
+
+
+def test_scaling_from_the_command_line(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(scaling, "CELLS", (4,))
+    monkeypatch.setattr(scaling, "LARGEST", 5)
+    words = ["bench", "--scaling", "--largest", "--engines", "lammps", "--repeat", "1", "--var", "steps", "20"]
+    assert main(words) == 0
+    said = capfd.readouterr().out
+    assert "an atom's step of the largest takes" in said
+    assert main([*words, "--json"]) == 0
+    report = json.loads(capfd.readouterr().out)
+    assert report["scaling"] is True
+    assert [script["engines"][0]["atoms"] for script in report["scripts"]] == [256, 500]
+
+
+def test_all_scripts_of_a_folder(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    """One that fails does not keep the others from being measured."""
+    for name, text in {"in.A_2": TINY, "in.A_1": TINY, "in.A2_x": "nonsense\n", "notes": "none"}.items():
+        (tmp_path / name).write_text(text)
+    assert main(["bench", "--all", "--decks", str(tmp_path), "--engines", "lammps", "--repeat", "1", "--json"]) == 1
+    scripts = json.loads(capfd.readouterr().out)["scripts"]
+    assert [script["script"] for script in scripts] == ["in.A_1", "in.A_2", "in.A2_x"]
+    assert ["Unknown command: nonsense" in (script["engines"][0]["failed"] or "") for script in scripts] == [False, False, True]
 
 
 def test_a_page_of_ratios(tiny: Path, tmp_path: Path) -> None:

@@ -25,13 +25,12 @@ def scale(
     timeout: float | None,
     largest: bool,
     tell: Callable[[str], None],
-    cells: Sequence[int] = CELLS,
 ) -> list[Result]:
     """The liquid of each size, smallest first; fewer steps of more atoms. An engine that fails does so for its size alone."""
     results = []
-    for size in [*cells, *([LARGEST] if largest else [])]:
+    for size in [*CELLS, *([LARGEST] if largest else [])]:
         steps = max(_LEAST, _WORK // (4 * size**3))
-        given = ["-var", "cells", str(size), "-var", "settle", str(_SETTLE), "-var", "steps", str(steps), *switches]
+        given = [*switches, "-var", "cells", str(size), "-var", "settle", str(_SETTLE), "-var", "steps", str(steps)]  # the first counts
         results.append(measure(decks / LIQUID, contenders, repeat, given, timeout, tell))
     return results
 
