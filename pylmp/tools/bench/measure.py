@@ -151,5 +151,6 @@ def _compare(rows: list[Row]) -> None:
         if row.said is None:
             pairs = list(zip(serial.samples, row.samples, strict=True))
             row.ratio = statistics.median(a.loop.seconds / b.loop.seconds for a, b in pairs)
-            if row.contender.threads == 1:
-                row.by_cpu = statistics.median(a.cpu / b.cpu for a, b in pairs if b.cpu > 0.0)
+            shares = [a.cpu / b.cpu for a, b in pairs if a.cpu > 0.0 and b.cpu > 0.0]  # a very short loop may seem to take none
+            if row.contender.threads == 1 and shares:
+                row.by_cpu = statistics.median(shares)
