@@ -87,7 +87,11 @@ def _is_file(scope: Scope, names: tuple[str, ...], mode: str) -> float:
 def _is_os(scope: Scope, names: tuple[str, ...], mode: str) -> float:
     if len(names) != 1:
         raise FormulaError("Invalid is_os() function in variable formula")
-    described = f"{platform.system()} {platform.release()} {platform.machine()}"
+    try:
+        name = f' "{platform.freedesktop_os_release()["PRETTY_NAME"]}"'
+    except OSError:
+        name = ""
+    described = f"{platform.system()}{name} {platform.release()} {platform.machine()}"
     try:
         return float(re.search(names[0], described) is not None)
     except re.error:

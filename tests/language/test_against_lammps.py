@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.language.both import differences
+from tests.language.random_scripts import script
 
 CORPUS = Path(__file__).parents[1] / "corpus"
 
@@ -137,4 +138,9 @@ def test_random_lines(tmp_path: Path) -> None:
     tail = '\nlabel l\nprint "<${v}>"\nnext v\njump SELF l\n'
     lines = ["variable v index k " + "".join(source.choices(parts, often, k=source.randint(1, 10))) for _ in range(800)]
     scripts = [head + line + tail for line in lines if not line.rstrip().endswith("&")]
+    _report(differences(scripts, tmp_path), len(scripts))
+
+
+def test_random_scripts(tmp_path: Path) -> None:
+    scripts = [script(seed) for seed in range(600)]
     _report(differences(scripts, tmp_path), len(scripts))
