@@ -17,7 +17,7 @@ from pathlib import Path
 
 # What cannot be the same: times, memory, places in LAMMPS's source; and what pylmp adds: the place, hints, links.
 _DROPPED = re.compile(
-    r"Total wall time|NOTE: |--> parsed line: |Last input line|For more information|  --> |   \| |  hint: |  manual: |LAMMPS \(22|  using 1 Open|  pylmp "
+    r"Total wall time|NOTE: | rebalancing time|--> parsed line: |Last input line|For more information|  --> |   \| |  hint: |  manual: |LAMMPS \(22|  using 1 Open|  pylmp "
     r"|Per MPI rank|Loop time|Performance:|  create_atoms CPU|\S+\s+\| |.*% CPU use|\s*\^+\s*$|  Please report"
 )
 
