@@ -143,7 +143,7 @@ def test_scaling_and_the_page_it_writes(tmp_path: Path, monkeypatch: pytest.Monk
     results = scaling.scale(DECKS, who, 1, switches, None, False, lambda text: None)
     assert [(r.rows[0].samples[0].loop.atoms, r.rows[0].samples[0].loop.steps) for r in results] == [(500, 20), (864, 20)]
     head, *sizes = scaling.rows(results)
-    assert head[1:] == ("pylmp, fast, ns/atom/step", "LAMMPS, serial, ns/atom/step", "pylmp, fast, MB", "LAMMPS, serial, MB")
+    assert head[1:] == ("pylmp, fast, CPU ns/atom/step", "LAMMPS, serial, CPU ns/atom/step", "pylmp, fast, MB", "LAMMPS, serial, MB")
     assert [row[0] for row in sizes] == ["500", "864"]
     assert len(scaling.growth(results)) == 2
     target = tmp_path / "page.md"
@@ -156,7 +156,7 @@ def test_scaling_and_the_page_it_writes(tmp_path: Path, monkeypatch: pytest.Monk
     assert "| 864 " in text.replace("|   ", "| ")
     assert "old" not in text and "first" not in text
     assert plot.name == "page-scaling.svg"
-    assert "ns per atom and step" in plot.read_text()
+    assert "ns of CPU time per atom and step" in plot.read_text()
 
 
 def test_scaling_from_the_command_line(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:

@@ -76,18 +76,19 @@ def test_the_table_says_medians_and_spread() -> None:
     lines = table.text([result]).splitlines()
     assert lines[:2] == ["in.x: 1000 atoms, 10 steps, 3 rounds", "  a title"]
     assert lines[2].split()[:4] == ["engine", "ns/atom/step", "least", "most"]
-    assert lines[3].split() == "pylmp, fast 100000 50000 200000 10.0 2.00 4.00 50% 0.25 9.25".split()
-    assert lines[4].split() == "LAMMPS, serial 200000 100000 400000 5.00 1.00 1.00 100% 0.25 -".split()
+    assert lines[3].split() == "pylmp, fast 100000 50000 200000 50000 10.0 2.00 4.00 50% 0.25 9.25".split()
+    assert lines[4].split() == "LAMMPS, serial 200000 100000 400000 200000 5.00 1.00 1.00 100% 0.25 -".split()
     assert lines[5].split()[:5] == ["LAMMPS,", "mpiexec", "-n", "2", "failed"]
     assert lines[6] == "  LAMMPS, mpiexec -n 2 failed: ERROR: no"
     assert len({len(line) for line in table.markdown([result]).splitlines()[:5]}) == 1
 
 
 def test_the_parts_of_a_loop() -> None:
-    row = Row(contender("fast"), None, [Sample(Loop(t, 10, 1000, 1.0, sections={"Pair": t / 2, "Other": t / 4}), t, 0.0, 0) for t in (1, 2, 4)])
+    """Of the processor's time: half of what a loop took that was kept waiting for half of it."""
+    row = Row(contender("fast"), None, [Sample(Loop(t, 10, 1000, 0.5, sections={"Pair": t / 2, "Other": t / 4}), t, 0.0, 0) for t in (1, 2, 4)])
     head, cells = table.parts([Result(Path("in.x"), "", [row], [])])
     assert dict(zip(head, cells, strict=True)) == {"script": "`in.x`", "engine": "pylmp, fast"} | {
-        name: {"Pair": "100000.0", "Other": "50000.0"}.get(name, "0.0") for name in table.PARTS
+        name: {"Pair": "50000", "Other": "25000"}.get(name, "0.00") for name in table.PARTS
     }
 
 

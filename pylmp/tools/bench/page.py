@@ -58,7 +58,7 @@ def _draw(path: Path, name: str, results: Sequence[Result]) -> None:
 
 
 def _ratios(axes: Any, results: Sequence[Result]) -> None:
-    """A group of bars a script: how many times LAMMPS serial each engine is."""
+    """A group of bars a script: how many times as fast as LAMMPS serial each engine is, by processor time if it has one thread."""
     names = [result.script.name.removeprefix("in.").split("_")[0] for result in results]
     several = {n for n in names if names.count(n) > 1}
     names = [r.script.name.removeprefix("in.") if n in several else n for n, r in zip(names, results, strict=True)]
@@ -66,15 +66,15 @@ def _ratios(axes: Any, results: Sequence[Result]) -> None:
     wide = 0.8 / max(1, len(titles))
     for k, title in enumerate(titles):
         found = [
-            (x, row.ratio)
+            (x, ratio)
             for x, result in enumerate(results)
             for row in result.rows
-            if row.contender.title == title and row.ratio is not None
+            if row.contender.title == title and (ratio := row.by_cpu or row.ratio) is not None
         ]
         axes.bar([x + (k - 0.5 * (len(titles) - 1)) * wide for x, _ in found], [y for _, y in found], wide, label=title)
     axes.axhline(1.0, color="black", linewidth=0.8)
     axes.set_xticks(range(len(names)), names, fontsize=8)
-    axes.set_ylabel("LAMMPS serial's time / its time")
+    axes.set_ylabel("LAMMPS serial's time / its own")
     if titles:
         axes.legend(fontsize=8, ncols=2)
 
@@ -87,5 +87,5 @@ def _sizes(axes: Any, results: Sequence[Result]) -> None:
     axes.set_xscale("log")
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("atoms")
-    axes.set_ylabel("ns per atom and step")
+    axes.set_ylabel("ns of CPU time per atom and step")
     axes.legend(fontsize=8)

@@ -38,7 +38,7 @@ def scale(
 def rows(results: Sequence[Result]) -> list[tuple[str, ...]]:
     """Head and one row a size: nanoseconds per atom and step of each engine, then megabytes of each."""
     titles = [row.contender.title for row in results[0].rows]
-    table: list[tuple[str, ...]] = [("atoms", *(f"{t}, ns/atom/step" for t in titles), *(f"{t}, MB" for t in titles))]
+    table: list[tuple[str, ...]] = [("atoms", *(f"{t}, CPU ns/atom/step" for t in titles), *(f"{t}, MB" for t in titles))]
     for result in results:
         atoms = next((row.samples[0].loop.atoms for row in result.rows if row.samples), None)
         costs = [cost(result, k) for k in range(len(titles))]
@@ -54,9 +54,11 @@ def rows(results: Sequence[Result]) -> list[tuple[str, ...]]:
 
 
 def cost(result: Result, k: int) -> float | None:
-    """Nanoseconds per atom and step of the k-th engine; None if it failed."""
+    """Nanoseconds per atom and step of the k-th engine, of processor time if it has one thread; None if it failed."""
     row = result.rows[k]
-    return 1e9 * row.median(lambda s: s.loop.seconds) / row.work if row.samples and row.said is None else None
+    if not row.samples or row.said is not None:
+        return None
+    return 1e9 / row.work * row.median(lambda s: s.cpu if row.contender.threads == 1 else s.loop.seconds)
 
 
 def growth(results: Sequence[Result]) -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pylmp.tools.bench.measure import Result, Row
 
-HEAD = ("engine", "ns/atom/step", "least", "most", "steps/s", "LAMMPS/it", "by CPU time", "CPU use", "outside loops, s", "first run, s")
+HEAD = ("engine", "ns/atom/step", "least", "most", "CPU ns", "steps/s", "LAMMPS/it", "by CPU time", "CPU use", "outside loops, s", "first run, s")
 NOTHING = "-"
 PARTS = ("Pair", "Bond", "Neigh", "Comm", "Modify", "Output", "Other")
 
@@ -20,7 +20,7 @@ def markdown(results: Sequence[Result]) -> str:
     """One table of all scripts, one of the parts of their loops, and the remarks."""
     rows = [(f"`{result.script.name}`", *cells(row)) for result in results for row in result.rows]
     lines = grid([("script", *HEAD), *rows], bars=True)
-    lines += ["", "Where the time goes, ns per atom and step, medians:", "", *grid(parts(results), bars=True)]
+    lines += ["", "Where the time goes, in ns of CPU time per atom and step, medians:", "", *grid(parts(results), bars=True)]
     notes = [f"- `{result.script.name}`: {note}" for result in results for note in remarks(result)]
     return "\n".join([*lines, *(["", *notes] if notes else [])])
 
@@ -37,6 +37,7 @@ def cells(row: Row) -> tuple[str, ...]:
     return (
         title,
         _short(middle * unit), _short(min(row.seconds) * unit), _short(max(row.seconds) * unit),
+        _short(row.median(lambda s: s.cpu) * unit) if row.contender.threads == 1 else NOTHING,
         _short(row.samples[0].loop.steps / middle),
         NOTHING if row.ratio is None else f"{row.ratio:.2f}",
         NOTHING if row.by_cpu is None else f"{row.by_cpu:.2f}",
@@ -47,14 +48,18 @@ def cells(row: Row) -> tuple[str, ...]:
 
 
 def parts(results: Sequence[Result]) -> list[tuple[str, ...]]:
-    """Head and a row for each script and engine: the parts of the loop, per atom and step."""
+    """Head and a row for each script and engine of one thread: the parts of the loop, without the time it was kept waiting."""
     table: list[tuple[str, ...]] = [("script", "engine", *PARTS)]
     for result in results:
         for row in result.rows:
-            if row.samples and row.said is None:
-                costs = (row.median(lambda s, part=name: s.loop.sections.get(part, 0.0)) for name in PARTS)  # type: ignore[misc]
-                table.append((f"`{result.script.name}`", row.contender.title, *(f"{1e9 * cost / row.work:.1f}" for cost in costs)))
+            if row.samples and row.said is None and row.contender.threads == 1:
+                table.append((f"`{result.script.name}`", row.contender.title, *(_short(_part(row, name)) for name in PARTS)))
     return table
+
+
+def _part(row: Row, name: str) -> float:
+    """Nanoseconds: the log's seconds of this part, by the share of the loop in which the program had a processor."""
+    return 1e9 / row.work * row.median(lambda s: s.loop.sections.get(name, 0.0) * s.cpu / s.loop.seconds)
 
 
 def remarks(result: Result) -> list[str]:
