@@ -31,8 +31,8 @@ def obstacles(sim: Simulation) -> list[str]:
     box, found = sim.box, []
     if box.triclinic:
         found.append("a triclinic box")
-    if any(fix.changes_box for fix in sim.fixes) or box.deforming:
-        found.append("a fix that changes the box")
+    if box.rate_group:
+        found.append("fix deform remap v")
     if sim.neighbor.exclude:
         found.append("neigh_modify exclude")
     if sim.neighbor.style == "nsq":

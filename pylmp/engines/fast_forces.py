@@ -51,6 +51,7 @@ class FastForces:
         self.least, self.most = np.zeros(3), np.zeros(3)
         self._scratch = np.zeros(6 * LANES)
         self._length = np.zeros(3)
+        self._held_box, self._moving_faces = sim.box.corners(), False
         self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8), np.zeros((8, 8))
         self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
         self._rows: np.ndarray[tuple[int], np.dtype[np.int64]] | None = None  # IDs of the rows that the bonds were laid out for
@@ -104,6 +105,8 @@ class FastForces:
             self._held = np.zeros((n, 3))
         self._held[:] = atoms.x[:n]
         self._length[:] = sim.box.length
+        self._held_box = sim.box.corners()
+        self._moving_faces = sim.box.changing and any(sim.box.periodic[: sim.dimension])
         self._bind(sim)
 
     def _bind(self, sim: Simulation) -> None:
@@ -134,6 +137,8 @@ class FastForces:
 
     def evaluate(self, sim: Simulation, wanted: int, setup: bool) -> None:
         """Forces, and what is wanted besides; then what breaks is booked."""
+        if self._moving_faces:
+            self._length[:] = sim.box.length
         self._may_break[0] = not setup or (bool(self.bonds) and self.bonds[0].part.style.breaks_in_setup)
         broken = int(self._calls[wanted != 0]())
         if wanted:
@@ -147,5 +152,8 @@ class FastForces:
             self.bonds[0].book(sim, broken)
 
     def anybody_moved(self, sim: Simulation) -> bool:
-        """Has an atom moved more than half the skin since the last build?"""
+        """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""
+        if self._moving_faces:
+            delta = max(0.5 * (sim.neighbor.skin - sim.box.travel(self._held_box)), 0.0)
+            self._limit2[0] = delta * delta
         return self._moved_call() != 0.0

@@ -135,7 +135,7 @@ def test_any_number_of_atoms(count: int, tmp_path: Path) -> None:
         ("pair_style lj/cut 6.0\npair_coeff * * 1 1", "a periodic box narrower than twice the neighbor cutoff"),
         ("compute s all stress/atom NULL", "a compute of energy or stress per atom"),
         ("change_box all triclinic", "a triclinic box"),
-        ("fix d all deform 1 x erate 0.01", "a fix that changes the box"),
+        ("fix d all deform 1 x erate 0.01 remap v", "fix deform remap v"),
         ("neigh_modify exclude type 1 2", "neigh_modify exclude"),
         ("pair_style hybrid lj/cut 1.3\npair_coeff * * lj/cut 1 1", "several pair styles"),
     ],
@@ -152,6 +152,16 @@ def test_says_why_not(line: str, reason: str, tmp_path: Path) -> None:
 def test_goes_on_without_set_up(tmp_path: Path) -> None:
     text = script("lj", "plastic", heat=1.0) + "run 20\nrun 20 pre no\nrun 20 every 10 NULL\nvelocity all scale 0.5\nrun 20\n"
     exact, fast = both(text, tmp_path)
+    assert np.abs(rows(fast, "x") - rows(exact, "x")).max() <= 1e-11
+    assert bonds(fast) == bonds(exact)
+
+
+@pytest.mark.parametrize("how", ["1 x erate 0.05", "3 x erate 0.1 y erate -0.05", "1 x trate 0.1 z scale 0.97 units box", "2 y wiggle 0.2 0.5"])
+def test_box_that_changes(how: str, tmp_path: Path) -> None:
+    text = script("lj", "plastic", heat=1.0, seed=2) + f"fix d all deform {how}\nrun 100\n"
+    exact, fast = both(text, tmp_path)
+    assert (exact.report.builds, exact.report.dangerous) == (fast.report.builds, fast.report.dangerous)
+    assert (exact.box.length == fast.box.length).all()
     assert np.abs(rows(fast, "x") - rows(exact, "x")).max() <= 1e-11
     assert bonds(fast) == bonds(exact)
 
