@@ -61,7 +61,7 @@ def _ratios(axes: Any, results: Sequence[Result]) -> None:
     """A group of bars a script: how many times as fast as LAMMPS serial each engine is, by processor time if it has one thread."""
     names = [result.script.name.removeprefix("in.").split("_")[0] for result in results]
     several = {n for n in names if names.count(n) > 1}
-    names = [r.script.name.removeprefix("in.") if n in several else n for n, r in zip(names, results, strict=True)]
+    names = [r.script.name.removeprefix("in.").replace("_", "\n") if n in several else n for n, r in zip(names, results, strict=True)]
     titles = list(dict.fromkeys(row.contender.title for r in results for row in r.rows if row.contender.name != SERIAL))
     wide = 0.8 / max(1, len(titles))
     for k, title in enumerate(titles):
