@@ -14,6 +14,7 @@ import numpy as np
 
 from pylmp.engines.exact import Exact, Run
 from pylmp.engines.fast_forces import FastForces
+from pylmp.engines.leap import Leap
 from pylmp.kernels.kinds import Function
 from pylmp.model.asking import SHARED, levels
 from pylmp.model.atoms import Ints
@@ -115,6 +116,11 @@ class FastRun(Run):
 
     forces: FastForces
 
+    def __init__(self, sim: Simulation) -> None:
+        self.leap = Leap()
+        self.end = 0
+        super().__init__(sim)
+
     @staticmethod
     def _field(sim: Simulation) -> tuple[Any, Any]:
         return NoGhosts(), FastForces(sim)
@@ -173,9 +179,17 @@ class FastRun(Run):
         self.ago = 0
         self.builds += 1
         self.call("post_neighbor")
+        self.leap.forget()
         self.timers.stamp("Neigh")
 
     def advance(self, steps: int) -> RunReport:
+        self.end = self.sim.step + steps
+        self.leap.forget()  # what fixes do may have been changed since the last run
         report = super().advance(steps)
         self.forces.copy_back(self.sim)
         return report
+
+    def step(self) -> None:
+        """A step, or many that need nothing of Python."""
+        if not self.leap.go(self, self.end):
+            super().step()

@@ -12,6 +12,7 @@ from pylmp.engines.fast_list import FullList
 from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.fast import FAR, blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
+from pylmp.kernels.fast.driver import drive
 from pylmp.kernels.fast.forces import TALLIES, PairTerm, force_loop
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel, prepare
@@ -58,7 +59,7 @@ class FastForces:
 
     def prepare(self, sim: Simulation, more: list[Function]) -> None:
         """Compile what the store does not have, all at once, more included."""
-        functions = [*self._kernels, self._moved, self._extent, *more]
+        functions = [*self._kernels, self._moved, self._extent, drive, *more]
         for listed in self.bonds:
             functions += listed.functions()
         if self.lists is not None:
@@ -149,7 +150,19 @@ class FastForces:
         if self._reports:
             self.bonds[0].report(sim)
         if broken:
-            self.bonds[0].book(sim, broken)
+            self.book(sim, broken)
+
+    def quiet(self) -> tuple[Call, Call]:
+        """The test who has moved and the forces without tallies, bound."""
+        return self._moved_call, self._calls[0]
+
+    def may_break(self) -> None:
+        """From now on bonds may break."""
+        self._may_break[0] = 1
+
+    def book(self, sim: Simulation, count: int) -> None:
+        """Bonds broke in the last evaluation: count slots."""
+        self.bonds[0].book(sim, count)
 
     def anybody_moved(self, sim: Simulation) -> bool:
         """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""

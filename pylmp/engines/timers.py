@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
 
 SECTIONS = ("Pair", "Bond", "Neigh", "Comm", "Output", "Modify")
 
@@ -28,6 +32,13 @@ class Timers:
             busy = time.process_time()
             self.processor[section] += busy - self._busy
             self._busy = busy
+
+    def book(self, sections: Sequence[str], seconds: NDArray[np.float64]) -> None:
+        """Seconds that compiled code has measured since the last stamp; sets them to 0."""
+        for section, spent in zip(sections, seconds.tolist(), strict=True):
+            self.sections[section] += spent
+            self._last += spent
+        seconds[:] = 0.0
 
     def total(self) -> float:
         return time.perf_counter() - self._start

@@ -42,6 +42,9 @@ class Enforce2d(Fix):
         atoms = sim.atoms
         self._call = kernel(self._function).bind(atoms.v, atoms.f, atoms.mask, self.bit, atoms.n)
 
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        return [self._call]
+
     def post_force(self, sim: Simulation) -> None:
         self._call()
 

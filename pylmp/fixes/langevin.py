@@ -184,6 +184,14 @@ class Langevin(Thermostat):
         with np.errstate(invalid="ignore"):
             return np.sqrt(value)
 
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        if self.gjf is not None or self.tally or self._biased() or self.start.varies or self.start.value != self.stop:
+            return None
+        if hook != "post_force":
+            return []
+        self._heat[0] = self._target(sim)
+        return [self._call]
+
     def post_force(self, sim: Simulation) -> None:
         heat = self._target(sim)
         if self._found is not None and self._found.bias:

@@ -49,6 +49,9 @@ class NVE(Fix):
     def reset_dt(self, sim: Simulation) -> None:
         self.post_neighbor(sim)
 
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        return [self._calls[hook == "final_integrate"]]
+
     def initial_integrate(self, sim: Simulation) -> None:
         self._calls[0]()
 

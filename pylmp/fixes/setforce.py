@@ -47,6 +47,9 @@ class SetForce(ForceFix):
             atoms, value = sim.atoms, np.array([force.value for force in self.force])
             self._call = kernel(self._function).bind(atoms.f, atoms.mask, value, self._before, self.bit, atoms.n)
 
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        return [self._call] if self._plain else None
+
     def init(self, sim: Simulation) -> None:
         super().init(sim)
         if sim.relaxing and any(force.varies or force.value != 0.0 for force in self.force):

@@ -48,6 +48,9 @@ class Viscous(Fix):
             atoms.v, atoms.f, atoms.type, atoms.mask, self.gamma, self.bit, atoms.n
         )
 
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        return [self._call]
+
     def post_force(self, sim: Simulation) -> None:
         self._call()
 

@@ -16,12 +16,13 @@ from numba import types
 from numba.extending import intrinsic, overload
 
 from pylmp import laws
-from pylmp.kernels import simd
+from pylmp.kernels import machine, simd
 from pylmp.kernels.simd import memory as memory  # teaches its words
 from pylmp.kernels.simd.emit import choose, lane, magnitude, root, with_lane
 from pylmp.kernels.simd.vector import Vector
+from pylmp.kernels.simd.word import INDEX, LONG
 
-WORDS: frozenset[Callable[..., Any]] = simd.WORDS | {
+WORDS: frozenset[Callable[..., Any]] = simd.WORDS | machine.WORDS | {
     laws.select, laws.sqrt, laws.fabs, laws.exp, laws.log, laws.sin, laws.cos, laws.power, laws.whole,
     laws.single, laws.bits,
 }  # fmt: skip
@@ -127,3 +128,41 @@ def _single(x):
 @overload(laws.bits)
 def _bits(x):
     return lambda x: _float_bits(float(x))
+
+
+def _at(builder, address, result, *kinds):
+    """The machine code at address as a function."""
+    return builder.inttoptr(address, ir.FunctionType(result, kinds).as_pointer())
+
+
+@intrinsic
+def _call_kernel(typing_context, address, block):
+    def generate(context, builder, signature, arguments):
+        where, block = arguments
+        return builder.call(_at(builder, where, ir.DoubleType(), LONG), [block])
+
+    return types.float64(types.int64, types.int64), generate
+
+
+@intrinsic
+def _call_clock(typing_context, address, clock, room):
+    def generate(context, builder, signature, arguments):
+        where, clock, room = arguments
+        number = builder.trunc(clock, INDEX)
+        return builder.sext(builder.call(_at(builder, where, INDEX, INDEX, room.type), [number, room]), LONG)
+
+    return types.int64(types.int64, types.int64, room), generate
+
+
+@overload(machine.invoke)
+def _invoke(address, block):
+    return lambda address, block: _call_kernel(address, block)
+
+
+@overload(machine.seconds)
+def _seconds(address, clock, room):
+    def now(address, clock, room):
+        _call_clock(address, clock, room)
+        return float(room[0]) + 1.0e-9 * float(room[1])
+
+    return now

@@ -62,6 +62,7 @@ class Kernel:
             raise TypeError(f"{self.name}: {error}") from None
         bound = partial(self._call, ctypes.c_void_p(ctypes.addressof(block)))
         vars(bound)["alive"] = values, words, block, self.owner
+        vars(bound)["entry"] = self.address, ctypes.addressof(block)
         self.last = bound
         return bound
 
@@ -74,6 +75,12 @@ class Kernel:
             return ctypes.addressof(ctypes.c_char.from_buffer(value))  # type: ignore[arg-type]
         except (TypeError, ValueError):  # an array that may not be written to: asked the slow way
             return int(value.ctypes.data)
+
+
+def entry(bound: Callable[[], float]) -> tuple[int, int]:
+    """Address and block of a bound call, for a kernel that makes it (machine.invoke): valid as long as bound lives."""
+    found: tuple[int, int] = vars(bound)["entry"]
+    return found
 
 
 def kernel(function: types.FunctionType) -> Kernel:

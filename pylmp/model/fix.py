@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from itertools import count
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -109,6 +109,13 @@ class Fix:
     def functions(self) -> list[Any]:
         """Kernels it will call, so that a run can compile all it needs at once. It binds them in post_neighbor."""
         return []
+
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        """All that a hook of a step does when nothing is tallied, as bound kernels; None: it does more. Asked after post_neighbor.
+
+        The engine may then carry out many steps without coming back to Python: they must not depend on the step.
+        """
+        return None
 
     @contextmanager
     def reading(self, sim: Simulation, following: int) -> Iterator[None]:

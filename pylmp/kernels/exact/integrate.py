@@ -75,9 +75,9 @@ def limited_kick(everyone: bool, drift: bool) -> Function:
 
     def limited_half(
         x: "f8*", v: "f8*", f: "f8*", type_: "i8*", mask: "i8*", mass: "f8*", kicks: "f8*", half: "f8", dt: "f8", limit: "f8",
-        types: "i8", bit: "i8", n: "i8",
+        types: "i8", bit: "i8", count: "i8*", n: "i8",
     ) -> "f8":
-        """v += (half/m) f, shortened where v*v is above limit. Returns how many were."""
+        """v += (half/m) f, shortened where v*v is above limit. count[0] grows by how many were."""
         for t in range(1, types + 1):
             kicks[t] = half / mass[t]
         fast = 0
@@ -102,6 +102,7 @@ def limited_kick(everyone: bool, drift: bool) -> Function:
                     x[at] += dt * vx
                     x[at + 1] += dt * vy
                     x[at + 2] += dt * vz
-        return float(fast)
+        count[0] += fast
+        return 0.0
 
     return limited_half
