@@ -152,9 +152,9 @@ class FastForces:
         if broken:
             self.book(sim, broken)
 
-    def quiet(self) -> tuple[Call, Call]:
-        """The test who has moved and the forces without tallies, bound."""
-        return self._moved_call, self._calls[0]
+    def quiet(self) -> tuple[Call, Call] | None:
+        """The test who has moved and the forces without tallies, bound; None: there is more to do in a step."""
+        return None if self._reports or self._moving_faces else (self._moved_call, self._calls[0])
 
     def may_break(self) -> None:
         """From now on bonds may break."""

@@ -77,7 +77,7 @@ class Leap:
 
     def _bind(self, run: FastRun) -> bool:
         """Find out what the hooks of the run call, and where that is."""
-        sim, forces = run.sim, run.forces
+        sim = run.sim
         first: list[Callable[[], float]] = []
         behind: list[Callable[[], float]] = []
         self._able = bool(clock()) and sim.timer.limit is None and not run.timers.full and not sim.timer.passed
@@ -89,7 +89,10 @@ class Leap:
                     self._able = False
                     return False
                 (behind if name in ("post_force", "final_integrate") else first).extend(calls)
-        bound = [*first, *forces.quiet(), *behind]
+        if (quiet := run.forces.quiet()) is None:
+            self._able = False
+            return False
+        bound = [*first, *quiet, *behind]
         if len(bound) != len(self._bound) or any(a is not b for a, b in zip(bound, self._bound, strict=True)):
             self._bound = bound
             self._plan[driver.FIRST], self._plan[driver.LAST] = len(first), len(behind)
