@@ -42,10 +42,15 @@ class FullList:
         self._corner, self._inverse, self._length, self._counts = np.zeros(3), np.zeros(3), np.zeros(3), np.ones(3, np.int64)
         self._margin = 0.0
         self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32)
-        self.count = 0
+        self._rows = 0
 
     def functions(self) -> list[Function]:
         return [self._sort, self._list, self._weave]
+
+    @property
+    def count(self) -> int:
+        """Entries: each pair twice."""
+        return int(self._found[: self._rows].sum())
 
     @property
     def half(self) -> int:
@@ -84,18 +89,19 @@ class FullList:
             if entries != loops.ROOM:
                 break
             self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
-        self.count = int(self._found[:n].sum())
+        self._rows = n
 
     def _grid(self, sim: Simulation, least: Floats, most: Floats) -> None:
         """Corner, counts and inverse sizes of cells no smaller than the cutoff and not many more than atoms."""
         box, counts = sim.box, [1, 1, 1]
         widest_box = 0.0
+        lows, highs, lowest, highest = box.lo.tolist(), box.hi.tolist(), least.tolist(), most.tolist()
         for d, periodic in enumerate(box.periodic):
-            low, high = float((box.lo if periodic else least)[d]), float((box.hi if periodic else most)[d])
+            low, high = (lows[d], highs[d]) if periodic else (lowest[d], highest[d])
             length = max(high - low, 1.0e-6 * self.cutoff)
             widest_box = max(widest_box, length)
             counts[d] = 1 if d == 2 and self._flat else max(1, int(length / self.cutoff))
-            self._corner[d], self._inverse[d], self._length[d] = low, 1.0 / length, box.hi[d] - box.lo[d]
+            self._corner[d], self._inverse[d], self._length[d] = low, 1.0 / length, highs[d] - lows[d]
         self._margin = self.cutoff + _SINGLE * widest_box
         most_cells = 4 * sim.atoms.n + 64
         while counts[0] * counts[1] * counts[2] > most_cells:
