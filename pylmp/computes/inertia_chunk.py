@@ -8,21 +8,15 @@ from __future__ import annotations
 import numpy as np
 
 from pylmp.model.atoms import Floats
-from pylmp.model.chunks import OfChunks, sums
+from pylmp.model.chunks import WordlessOfChunks, sums
 from pylmp.model.registry import COMPUTES
 from pylmp.model.simulation import Simulation
-from pylmp.text.words import Args
 
 
 @COMPUTES.register("inertia/chunk")
-class InertiaOfChunks(OfChunks):
+class InertiaOfChunks(WordlessOfChunks):
     style = "inertia/chunk"
     columns = 6
-
-    def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
-        super().__init__(sim, identity, group, bit, args)
-        if len(args):
-            args.illegal(args.peek())
 
     def array(self, sim: Simulation) -> Floats:
         """(chunks, 6)"""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -157,7 +157,7 @@ class FastBonds:
             at = self.noted[1 : 1 + count]
             at = at[self.owner[at] < self.to[at] // 3]
             at = at[np.argsort(self.owner[at], kind="stable")]
-            self.part.style.report(sim, self.part, np.stack([self.owner[at], self.to[at] // 3, self.kind[at]], axis=1).astype(np.int64))
+            self.part.style.report(sim, self.part, self._ends(at))
 
     def _record(self, sim: Simulation, broken: NDArray[np.int32]) -> None:
         for p in broken:
@@ -181,7 +181,10 @@ class FastBonds:
     @property
     def bonds(self) -> Ints:
         """(count, 3) rows of both ends, type."""
-        at = self._once
+        return self._ends(self._once)
+
+    def _ends(self, at: NDArray[Any]) -> Ints:
+        """(slots, 3) rows of both ends, type."""
         return np.stack([self.owner[at], self.to[at] // 3, self.kind[at]], axis=1).astype(np.int64)
 
     @property

@@ -55,7 +55,7 @@ class FastForces:
         self._held_box, self._moving_faces = sim.box.corners(), False
         self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8), np.zeros((8, 8))
         self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
-        self._rows: np.ndarray[tuple[int], np.dtype[np.int64]] | None = None  # IDs of the rows that the bonds were laid out for
+        self._laid_out = False  # types and bonds, for the rows as they now are
 
     def prepare(self, sim: Simulation, more: list[Function]) -> None:
         """Compile what the store does not have, all at once, more included."""
@@ -79,7 +79,7 @@ class FastForces:
 
     def moved_rows(self) -> None:
         """Atoms have changed places, or some are gone."""
-        self._rows = None
+        self._laid_out = False
 
     def rebuild(self, sim: Simulation) -> None:
         """A new neighbor list; bind the kernels to the arrays as they now are."""
@@ -88,8 +88,8 @@ class FastForces:
         atoms.x[n : nobody(n)] = FAR
         atoms.x[nobody(n)] = -FAR
         atoms.v[n : nobody(n) + 1] = 0.0
-        if self._rows is None:
-            self._rows = atoms.tag[:n].copy()
+        if not self._laid_out:
+            self._laid_out = True
             self._kinds = np.ones(3 * atoms.capacity, np.int32)
             self._kinds[: 3 * n : 3] = atoms.type[:n]
             for listed in self.bonds:

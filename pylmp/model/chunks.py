@@ -74,15 +74,19 @@ class OfChunks(Compute):
         return x - mean(sim, rows, ids, count, x)[ids], rows, ids, count
 
 
-class MeanOfChunks(OfChunks):
-    """A compute without further words: the mean, by mass, of a vector of atoms (values) in each chunk."""
-
-    columns = 3
+class WordlessOfChunks(OfChunks):
+    """One that takes no further words."""
 
     def __init__(self, sim: Simulation, identity: str, group: str, bit: int, args: Args) -> None:
         super().__init__(sim, identity, group, bit, args)
         if len(args):
             args.illegal(args.peek())
+
+
+class MeanOfChunks(WordlessOfChunks):
+    """The mean, by mass, of a vector of atoms (values) in each chunk."""
+
+    columns = 3
 
     def values(self, sim: Simulation, rows: NDArray[np.bool_]) -> Floats:
         """(k, 3) of the chosen atoms."""

@@ -196,3 +196,9 @@ def _differences(reference: Made, ours: Made) -> list[str]:
                 at = tuple(bad[0])
                 wrong.append(f"{name}: {len(bad)} differ, first {at}: {values[at]!r}, {other[at]!r}")
     return wrong
+
+
+def all_agree(script: Callable[[int], str], seeds: range, folder: Path) -> None:
+    """The scripts of all seeds run alike; the first that do not are shown."""
+    wrong = [f"---- {seed}\n{text}{found}" for seed in seeds if (found := difference(text := script(seed), folder))]
+    assert not wrong, f"{len(wrong)} of {len(seeds)}\n" + "\n".join(wrong[:4])

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.setup.both import difference
+from tests.setup.both import all_agree
 
 SCRIPTS = 12  # a seed
 
@@ -67,9 +67,4 @@ def script(seed: int) -> str:
 
 @pytest.mark.parametrize("seed", range(8))
 def test_runs(seed: int, tmp_path: Path) -> None:
-    wrong = []
-    for number in range(SCRIPTS):
-        text = script(1000 * seed + number)
-        if found := difference(text, tmp_path):
-            wrong.append(f"---- {1000 * seed + number}\n{text}{found}")
-    assert not wrong, f"{len(wrong)} of {SCRIPTS}\n" + "\n".join(wrong[:4])
+    all_agree(script, range(1000 * seed, 1000 * seed + SCRIPTS), tmp_path)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.setup.both import difference
+from tests.setup.both import all_agree, difference
 from tests.setup.test_moving_boxes import deform
 
 SCRIPTS = 5  # a seed
@@ -66,12 +66,7 @@ def script(seed: int) -> str:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_networks(seed: int, tmp_path: Path) -> None:
-    wrong = []
-    for number in range(SCRIPTS):
-        text = script(1000 * seed + number)
-        if found := difference(text, tmp_path):
-            wrong.append(f"---- {1000 * seed + number}\n{text}{found}")
-    assert not wrong, f"{len(wrong)} of {SCRIPTS}\n" + "\n".join(wrong[:4])
+    all_agree(script, range(1000 * seed, 1000 * seed + SCRIPTS), tmp_path)
 
 
 @pytest.mark.parametrize("lost", [2, 3, 4])

@@ -76,6 +76,18 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
     recall, remember = recalling(memory), remembering(memory)
     kinds_needed = (paired and not one_type) or subtract
 
+    def for_types(law: Function) -> Function:
+        """The law of pairs, with the coefficients of their types: c where all are alike."""
+
+        def evaluate(r2, dot, ti, j, kinds, table, types, c):
+            if one_type:
+                return law(r2, dot, 1.0, c)
+            return law(r2, dot, 1.0, pair_columns(table, (ti * types + gather(kinds, j, 0)) * pair_width))
+
+        return evaluate
+
+    of_pair, of_alone = for_types(pair_law), for_types(alone)
+
     def fold(d: Any, length: float) -> Any:
         """The nearest periodic image."""
         d = select(d > 0.5 * length, d - length, d)
@@ -152,11 +164,7 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                     if pair_velocity:
                         uj, vj, wj = gather_rows(v, j)
                         dot = dx * (ui - uj) + dy * (vi - vj) + dz * (wi - wj)
-                    if one_type:
-                        force, e = pair_law(r2, dot, 1.0, c)
-                    else:
-                        at = (ti * types + gather(kinds, j, 0)) * pair_width
-                        force, e = pair_law(r2, dot, 1.0, pair_columns(table, at))
+                    force, e = of_pair(r2, dot, ti, j, kinds, table, types, c)
                     gx = dx * force
                     gy = dy * force
                     gz = dz * force
@@ -230,11 +238,7 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                         byz = byz + dy * dz * force
                     other = splat(0.0, LANES)
                     if subtract:
-                        if one_type:
-                            other, e = alone(r2, dot, 1.0, c)
-                        else:
-                            at = (ti * types + gather(kinds, j, 0)) * pair_width
-                            other, e = alone(r2, dot, 1.0, pair_columns(table, at))
+                        other, e = of_alone(r2, dot, ti, j, kinds, table, types, c)
                         other = select(active, -other, 0.0)
                         e = select(active, -e, 0.0)
                         if tally:
@@ -242,11 +246,7 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                     if instead:
                         before = kind < 0
                         if some(before):
-                            if one_type:
-                                other, e = pair_law(r2, dot, 1.0, c)
-                            else:
-                                at = (ti * types + gather(kinds, j, 0)) * pair_width
-                                other, e = pair_law(r2, dot, 1.0, pair_columns(table, at))
+                            other, e = of_pair(r2, dot, ti, j, kinds, table, types, c)
                             other = select(before, other, 0.0)
                             if tally:
                                 pe = pe + select(before, e, 0.0)
