@@ -13,6 +13,7 @@ import numpy as np
 
 from pylmp.laws import log, select
 from pylmp.model.atoms import Floats, Ints
+from pylmp.model.bond import beside
 from pylmp.model.registry import BONDS
 from pylmp.model.style import BondStyle, Coeff, Options, always
 from pylmp.text.diagnostic import ScriptError
@@ -63,9 +64,7 @@ def warn(sim: Any, first: int, second: int, number: Any, bad: bool) -> None:
 
 
 def squared(sim: Any, first: int, second: int) -> Any:
-    d = sim.atoms.x[first] - sim.atoms.x[second]
-    if not sim.atoms.ghosts:  # no image of the second stands beside the first
-        d = sim.box.minimum_image(d[None])[0]
+    d = sim.atoms.x[first] - beside(sim, first, second)
     return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
 
 

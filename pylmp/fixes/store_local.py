@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from pylmp.model.atoms import Floats
+from pylmp.model.bond import beside
 from pylmp.model.bond_memory import PER_ATOM, PLACES, PLACES_ID
 from pylmp.model.fix import Fix
 
@@ -39,7 +40,7 @@ class StoreLocal(Fix):
     def record(self, sim: Any, i: int, j: int) -> None:
         """Note the broken bond of rows i (the lower ID) and j; either may be a ghost."""
         atoms = sim.atoms
-        middle = [(float(a) + float(b)) / 2 for a, b in zip(atoms.x[i], atoms.x[j], strict=True)]
+        middle = [(float(a) + float(b)) / 2 for a, b in zip(atoms.x[i], beside(sim, i, j), strict=True)]
         values: dict[str, float] = {
             "id1": float(atoms.tag[i]), "id2": float(atoms.tag[j]), "time": float(sim.step),
             "x": middle[0], "y": middle[1], "z": middle[2],

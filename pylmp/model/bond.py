@@ -203,3 +203,12 @@ def longest_bond(sim: Simulation) -> float:
     x = sim.atoms.x
     d = sim.box.minimum_image(x[rows[keep]] - x[partners[keep]])
     return float(np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]).max())
+
+
+def beside(sim: Simulation, i: int, j: int) -> Floats:
+    """(3,) where row j is, seen from row i: where no ghosts are kept, its nearest periodic image."""
+    x = sim.atoms.x
+    if sim.atoms.ghosts:
+        return x[j]
+    d = x[i] - x[j]
+    return np.asarray(x[j] + (d - sim.box.minimum_image(d[None])[0]))

@@ -78,9 +78,10 @@ def bonds(sim) -> set[tuple[int, int, int]]:
     return found
 
 
-def test_bonds_break_in_the_same_steps(tmp_path: Path) -> None:
+@pytest.mark.parametrize("boundary", ["f f f", "p p p"])
+def test_bonds_break_in_the_same_steps(boundary: str, tmp_path: Path) -> None:
     """Impact: hundreds of bonds break; the fix that keeps records of them has the same lines in the end."""
-    text = script("spring", "plastic", boundary="f f f", heat=6.0, seed=3)
+    text = script("spring", "plastic", boundary=boundary, heat=6.0, seed=3)
     text = text.replace("normalize yes", "normalize yes store/local brk 1 time id1 id2 x y z")
     text = text.replace("fix 1 all nve", "fix 1 all nve\ndump 1 all local 1 broken.* index f_brk[1] f_brk[2] f_brk[3] f_brk[4] f_brk[5] f_brk[6]")
     exact, fast = both(text + "thermo_modify lost ignore lost/bond ignore\nrun 60\n", tmp_path)
