@@ -28,5 +28,5 @@ def run(path: str | Path, **variables: object) -> Simulation:
     interpreter = Interpreter(sim)
     for name, value in variables.items():
         interpreter.variables.set_index(name, [str(value)])
-    interpreter.run_file(Path(path))
+    interpreter.run_main(Path(path))
     return sim

@@ -1,7 +1,7 @@
 """The door: `pylmp in.script` as `lmp -in in.script`, and `pylmp diff`, `pylmp bench`.
 
 Exit codes: 0 done, the script's own with quit, 1 the script or the run is wrong, 2 wrong usage, 4 diff found a difference,
-5 LAMMPS has it and pylmp does not, 130 interrupted.
+5 LAMMPS has it and pylmp does not, 130 interrupted, 143 terminated.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import os
+import signal
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -17,13 +18,16 @@ from typing import TYPE_CHECKING, TextIO
 
 from pylmp import __version__
 from pylmp.model.console import Console
+from pylmp.model.interrupts import Interrupted
+from pylmp.model.limits import JUMPS, bounded
 from pylmp.text.diagnostic import ScriptError, Unsupported, render
 from pylmp.text.lines import decode
+from pylmp.tools.permits import add_switches, granted
 
 if TYPE_CHECKING:
     from pylmp.interpreter import Interpreter
 
-OK, WRONG, USAGE, UNSUPPORTED, INTERRUPTED = 0, 1, 2, 5, 130
+OK, WRONG, USAGE, UNSUPPORTED, SIGNALLED = 0, 1, 2, 5, 128  # SIGNALLED plus the number of the signal
 BANNER = "LAMMPS (22 Jul 2025 - Update 4)"  # what log readers look for: the release whose numbers these are
 ENGINES = ("auto", "exact", "fast", "lammps")
 
@@ -77,7 +81,7 @@ def _guarded(tool: Callable[[list[str]], int], words: list[str]) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return WRONG
     except KeyboardInterrupt:
-        return INTERRUPTED
+        return SIGNALLED + signal.SIGINT
     return code
 
 
@@ -109,14 +113,10 @@ def _parser() -> argparse.ArgumentParser:
     add("-restart2info", "-r2info", nargs="+", metavar="FILE", help="RESTART: pylmp restart info")
     add("--strict", action="store_true", help="accept exactly what LAMMPS 22 Jul 2025 accepts")
     add("--engine", default="auto", choices=ENGINES, help="who carries out the runs")
-    add(
-        "--allow",
-        action="append",
-        default=[],
-        choices=("write", "env", "shell"),
-        help="let the script write outside the working directory, read the environment, use the shell",
-    )
+    add_switches(parser)
     add("--max-commands", type=int, metavar="N", help="stop a script that carries out more commands (default: no limit)")
+    add("--max-jumps", type=int, metavar="N", help=f"jumps in a row that change nothing but variables (default: {JUMPS}; 0: any number)")
+    add("--checkpoint-on-exit", dest="checkpoint", metavar="FILE", help="write a restart file when Ctrl-C or SIGTERM ends the run")
     add("--version", action="version", version=f"pylmp {__version__}")
     return parser
 
@@ -156,7 +156,8 @@ class Session:
             return WRONG
         sim = Simulation(console, Fast() if options.engine == "fast" else Exact())
         sim.strict = options.strict
-        interpreter = Interpreter(sim, options.allow, options.max_commands)
+        jumps = (0 if options.trust else JUMPS) if options.max_jumps is None else options.max_jumps
+        interpreter = Interpreter(sim, granted(options), options.max_commands, jumps or None)
         interpreter.echo = options.echo
         console.both(f"{BANNER}\n  pylmp {__version__}, engine {sim.engine.name if sim.engine else 'none'}, 1 thread\n")
         if options.skiprun:
@@ -168,13 +169,17 @@ class Session:
         try:
             for name, *values in options.var:
                 interpreter.variables.set_index(name, values)
-            with np.errstate(all="ignore"):  # numbers overflow in silence, as in C
-                if path:
-                    interpreter.run_file(Path(path))
-                else:
-                    interpreter.run(decode(sys.stdin.buffer.read(), "<stdin>"), "<stdin>")
-            code, finished = OK, True
-            sim.finish()
+            text = "" if path else decode(sys.stdin.buffer.read(), "<stdin>")
+            with sim.interrupts.listen(), bounded(), np.errstate(all="ignore"):  # numbers overflow in silence, as in C
+                try:
+                    if path:
+                        interpreter.run_main(Path(path))
+                    else:
+                        interpreter.run(text, "<stdin>")
+                    code, finished = OK, True
+                    sim.finish()
+                except BaseException as error:
+                    code = self._explain(error, interpreter)
         except BaseException as error:
             code = self._explain(error, interpreter)
         finally:
@@ -201,7 +206,10 @@ class Session:
             return UNSUPPORTED if isinstance(error, Unsupported) else WRONG
         if isinstance(error, KeyboardInterrupt):
             console.both(f"Interrupted at step {interpreter.sim.step}; what was computed is in the files\n")
-            return INTERRUPTED
+            if isinstance(error, Interrupted) and error.whole:
+                self._checkpoint(interpreter, console)
+                interpreter.sim.finish()
+            return SIGNALLED + getattr(error, "number", signal.SIGINT)
         if isinstance(error, BrokenPipeError):
             sys.stdout = open(os.devnull, "w")  # noqa: SIM115
             return WRONG
@@ -213,6 +221,25 @@ class Session:
         )
         return WRONG
 
+    def _checkpoint(self, interpreter: Interpreter, console: Console) -> None:
+        """The restart file that --checkpoint-on-exit asks for; where it goes is the user's affair, not the script's."""
+        if self.options.checkpoint is None:
+            return
+        if not interpreter.sim.has_box:
+            console.both("No checkpoint: there is no simulation box yet\n")
+            return
+        from pylmp.model.registry import COMMANDS
+        from pylmp.text.words import Args, Word
+
+        write_restart = COMMANDS.find("write_restart")
+        assert write_restart is not None
+        interpreter.allow |= {"write"}
+        try:
+            write_restart.run(interpreter.sim, Args("write_restart", [Word(self.options.checkpoint)]))
+            console.both(f"Checkpoint: {self.options.checkpoint}\n")
+        except ScriptError as error:
+            console.both(render(error.diagnostic) + "\n")
+
     @staticmethod
     def _open(name: str | None, what: str, default: TextIO | None) -> TextIO | None:
         """The stream for a switch's FILE. Raises OSError with LAMMPS's sentence."""
@@ -221,7 +248,7 @@ class Session:
         if name == "none":
             return None
         try:
-            return open(name, "w", errors="surrogateescape")
+            return open(name, "w", buffering=1, errors="surrogateescape")  # line by line: whole lines whatever happens
         except OSError as error:
             raise OSError(f"Cannot open {what} file {name}: {error.strerror}") from None
 

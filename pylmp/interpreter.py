@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import NoReturn
 
 from pylmp.kernels import disk
+from pylmp.model.limits import JUMPS
+from pylmp.model.paths import readable
 from pylmp.model.registry import COMMANDS
 from pylmp.model.simulation import Simulation
 from pylmp.model.unknown import is_elsewhere, unsupported
@@ -24,25 +26,33 @@ from pylmp.text.words import Args, Word
 grammar.store = disk  # parser tables are kept where machine code is
 _DEEPEST = 16  # files that include files
 _RUNS = ("run", "minimize")
+_STEERING = {"jump", "label", "if", "next", "variable", "print", "log", "echo", "info"}  # what loops are made of
 
 
 class Interpreter:
     """Feeds commands to a simulation.
 
     variables   outlive clear
-    allow       what an untrusted script may do: "write" outside the working directory, "read" too
+    allow       what an untrusted script may do: PERMISSIONS of model/paths.py
+    folders     below which it may read: the working directory, then the script's own
     echo        where commands are repeated: "none", "screen", "log", "both"
     most        commands that may be carried out, None: any number
+    jumps       how often it may jump in a row with nothing but _STEERING in between, None: as often as it likes
     """
 
-    def __init__(self, sim: Simulation, allow: Iterable[str] = (), most: int | None = None) -> None:
+    def __init__(
+        self, sim: Simulation, allow: Iterable[str] = (), most: int | None = None, jumps: int | None = JUMPS
+    ) -> None:  # fmt: skip
         self.sim = sim
         sim.script = self
         self.variables = Variables()
         self.allow = frozenset(allow)
+        self.folders = [Path.cwd().resolve()]
         self.echo = "log"
         self.most = most
+        self.jumps = jumps
         self.count = 0  # commands carried out
+        self._idle = 0  # jumps since something else than variables changed
         self.scope = Scope(sim, self.variables)
         self._stack: list[Script] = []
         self._sources: dict[str, list[str]] = {}
@@ -55,6 +65,11 @@ class Interpreter:
     def run(self, text: str, name: str) -> None:
         """Execute a script to its end."""
         self._enter(self._script(text, name))
+
+    def run_main(self, path: Path) -> None:
+        """Execute the file that was asked for; it may read what stands beside it. Raises ScriptError as run_file does."""
+        self.folders.append(path.resolve().parent)
+        self.run_file(path)
 
     def run_file(self, path: Path, span: Span | None = None) -> None:
         """Execute a file, also one that includes this one. Raises ScriptError if it cannot be read."""
@@ -81,9 +96,15 @@ class Interpreter:
         if self._skip_jump:
             self._skip_jump = False
             return
+        self._idle += 1
+        if self.jumps is not None and self._idle > self.jumps:
+            raise ScriptError(
+                f"The script jumped {self.jumps} times and changed nothing but variables", span, code="S108", manual="jump.html",
+                hint="a loop without end? --max-jumps N lets it jump more often, --trust as often as it likes",
+            )  # fmt: skip
         script = self._stack[-1]
         if file != "SELF" and file != script.name:
-            path = Path(file)
+            path = readable(self.sim, Word(file, span))
             script = self._stack[-1] = self._script(read_script(path, span), str(path))
         if label is None:
             script.at = 0
@@ -138,6 +159,8 @@ class Interpreter:
             raise ScriptError(f"The script was stopped after {self.most} commands", owner.span, hint=hint, code="S104")
         if command is None:
             self._unknown(typed, owner)
+        if command.name not in _STEERING:
+            self._idle = 0
         if command.needs_box and not self.sim.has_box:
             raise ScriptError(
                 f"{command.name.capitalize()} command before simulation box is defined", owner.span,
@@ -152,6 +175,9 @@ class Interpreter:
             raise self._with_others(error.at(owner.span)) from None
         except ScriptError as error:
             raise error.at(owner.span) from None
+        except MemoryError:
+            raise ScriptError("There is not enough memory for this", owner.span, hint="fewer atoms, or smaller tables", code="S109") from None
+        self.sim.interrupts.obey()
         if ready.rejection is not None:
             complain(ready.rejection, args)
 
@@ -164,7 +190,7 @@ class Interpreter:
 
     def _peek(self, path: Path) -> list[Text] | None:
         try:
-            return self._script(read_script(path), str(path)).lines
+            return self._script(read_script(readable(self.sim, Word(str(path)))), str(path)).lines
         except ScriptError:
             return None
 

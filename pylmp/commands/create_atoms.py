@@ -11,6 +11,7 @@ import numpy as np
 
 from pylmp.commands.create_box import describe
 from pylmp.kernels.subset import select_subset
+from pylmp.model import limits
 from pylmp.model.atoms import Floats, Ints
 from pylmp.model.lattice import BASES, FLAT, Lattice
 from pylmp.model.registry import command
@@ -224,6 +225,7 @@ def _single(
 
 def _random(sim: Simulation, args: Args, geometry: list[Word], overlap: float, options: _Options) -> Floats:
     count, seed = int(geometry[0].text), int(geometry[1].text)
+    limits.room(count * limits.ATOM_BYTES, f"{count} atoms", geometry[0].span, args.manual)
     points = RandomPoints(sim, sim.regions.get(geometry[2].text) if geometry[2].text != "NULL" else None)
     if not points.apart:
         args.fail("No overlap of box and region for create_atoms", geometry[2])

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
+from pylmp.model.paths import readable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.words import Args
@@ -15,4 +14,4 @@ def include(sim: Simulation, args: Args) -> None:
     if len(args) != 1:
         args.illegal(args.owner)
     word = args.word()
-    sim.script.run_file(Path(word.text), word.span)
+    sim.script.run_file(readable(sim, word), word.span)

@@ -25,7 +25,7 @@ def log(sim: Simulation, args: Args) -> None:
     stream: TextIO | None = None
     if word.text != "none":
         try:
-            stream = cast(TextIO, writable(sim, word).open(mode))
+            stream = cast(TextIO, writable(sim, word).open(mode, buffering=1))
         except OSError as error:
             args.fail(f"Cannot open logfile {word.text}: {error.strerror}", word)
     if console.log_file is not None:

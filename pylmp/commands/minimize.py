@@ -42,8 +42,7 @@ def minimize(sim: Simulation, args: Args) -> None:
     sim.output.thermo.end()
     sim.console.both(loop_time(sim, sim.report).rstrip("\n") + "\n\n" + minimized(sim, sim.report, result))
     sim.console.flush()
-    if sim.report.interrupted:
-        raise KeyboardInterrupt
+    sim.interrupts.obey()
 
 
 def _tolerance(args: Args, word: Word, name: str) -> float:

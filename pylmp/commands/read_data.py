@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from pylmp.io.data_read import Options, read_data
 from pylmp.io.packed import Unpackable, read_packed
 from pylmp.model.groups import MAX_GROUPS
+from pylmp.model.paths import readable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.model.topology import KIND
@@ -43,7 +42,7 @@ def read_data_command(sim: Simulation, args: Args) -> None:
         args.fail("Cannot use read_data shift without add keyword", args.owner, hint="add append shift ...")
     if sim.dimension == 2 and sim.boundary[2][0] != "p":
         args.fail("Cannot run 2d simulation with nonperiodic Z dimension", args.owner, hint="boundary x y p")
-    path = Path(name.text)
+    path = readable(sim, name)
     try:
         text = read_packed(path)
     except OSError as error:

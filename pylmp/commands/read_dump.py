@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from pylmp.io.dump_file import MANUAL
 from pylmp.io.snapshot import Reader, find, read_request
+from pylmp.model.paths import readable
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
 from pylmp.text.diagnostic import ScriptError
@@ -23,7 +24,7 @@ def read_dump(sim: Simulation, args: Args) -> None:
     if request.add != "no":
         sim.console.both("Adding 'type' field to requested per-atom fields\n")
     sim.console.both("Scanning dump file ...\n")
-    reader = Reader(sim, [name.text], request)
+    reader = Reader(sim, [str(readable(sim, name))], request)
     snapshot = find(reader, step)
     if snapshot is None:
         raise ScriptError("Dump file does not contain requested snapshot", name.span, manual=MANUAL)

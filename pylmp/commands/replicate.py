@@ -12,6 +12,7 @@ from itertools import product
 import numpy as np
 
 from pylmp.commands.create_box import announce
+from pylmp.model import limits
 from pylmp.model.atoms import Ints
 from pylmp.model.registry import command
 from pylmp.model.simulation import Simulation
@@ -32,6 +33,7 @@ def replicate(sim: Simulation, args: Args) -> None:
         says = f"Illegal replication grid {'x'.join(map(str, grid))}. All replications must be > 0"
         args.fail(says, args.words[next(k for k in range(3) if grid[k] <= 0)])
     copies = grid[0] * grid[1] * grid[2]
+    limits.room(copies * sim.natoms * limits.ATOM_BYTES, f"{copies * sim.natoms} atoms", None, args.manual)
     sim.console.both(f"Replication is creating a {'x'.join(map(str, grid))} = {copies} times larger system...\n")
     if sim.dimension == 2 and grid[2] != 1:
         args.fail("Cannot replicate 2d simulation in z dimension", args.words[2])

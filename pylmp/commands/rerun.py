@@ -12,6 +12,7 @@ from pylmp.io.ready import initialise
 from pylmp.io.run_log import footer, loop_time
 from pylmp.io.snapshot import Reader, Request, read_request
 from pylmp.model.checks import warn_motionless
+from pylmp.model.paths import readable
 from pylmp.model.registry import command
 from pylmp.model.scene import state
 from pylmp.model.simulation import Simulation
@@ -57,8 +58,7 @@ def rerun(sim: Simulation, args: Args) -> None:
     if plan.post:
         sim.console.both(footer(sim, sim.report))
     sim.console.flush()
-    if sim.report.interrupted:
-        raise KeyboardInterrupt
+    sim.interrupts.obey()
 
 
 def _frames(sim: Simulation, reader: Reader, plan: _Plan) -> Iterator[None]:
@@ -89,7 +89,7 @@ def _frames(sim: Simulation, reader: Reader, plan: _Plan) -> Iterator[None]:
 def _read(sim: Simulation, args: Args) -> tuple[_Plan, Request]:
     plan = _Plan([])
     while (word := args.peek()) is not None and word.text not in _KEYWORDS:
-        plan.files.append(args.word().text)
+        plan.files.append(str(readable(sim, args.word())))
     if not plan.files or not len(args):
         args.illegal(args.owner, hint="rerun FILE dump x y z")
     while True:

@@ -45,8 +45,7 @@ def run(sim: Simulation, args: Args) -> None:
         end = sim.step + steps if request.stop is None else request.stop
         setup = request.pre or (first and not sim.ran)
         _segment(sim, RunPlan(steps, begin, end, setup), post=request.post or (request.every > 0 and left == 0))
-        if sim.report.interrupted:
-            raise KeyboardInterrupt
+        sim.interrupts.obey()
         if request.commands:
             sim.asking.block()
         for word in request.commands:

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from pylmp.dumps.base import Dump
     from pylmp.model.simulation import Simulation
 
+_LONGEST_NAME = 255  # characters that file systems take
+
 
 def read_format(args: Args, word: Word, part: str) -> Format:
     """One column's format. Raises ScriptError for what C would not print either."""
@@ -68,6 +70,8 @@ def _pad(dump: Dump, args: Args) -> None:
     if args.as_integer(word) < 0:
         args.fail(f"Invalid dump_modify pad argument: {word.text}", word, hint="a number of digits")
     dump.file.pad = args.as_integer(word)
+    if dump.file.pad > _LONGEST_NAME:
+        args.fail(f"Invalid dump_modify pad argument: {word.text}", word, hint=f"names of files have at most {_LONGEST_NAME} characters")
 
 
 def _colname(dump: Dump, args: Args) -> None:

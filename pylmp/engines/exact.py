@@ -5,16 +5,14 @@ This is also the engine to read: velocity Verlet with neighbor lists, one method
 
 from __future__ import annotations
 
-import signal
-import threading
 from collections.abc import Callable, Iterator
-from types import FrameType
 from typing import Any, TypeVar
 
 from pylmp.engines.force_field import ForceField
 from pylmp.engines.minimize import Relaxation
 from pylmp.engines.replay import replay
 from pylmp.engines.timers import Timers
+from pylmp.model.appetite import check_appetite
 from pylmp.model.bondlist import Breaks
 from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.fix import STEP_HOOKS, hooks
@@ -75,7 +73,6 @@ class Run:
         self._first: list[Any] = []
         self._last: list[Any] = []
         self.builds = self.dangerous = self.ago = 0
-        self.stop = False
 
     @staticmethod
     def _field(sim: Simulation) -> tuple[Any, Any]:
@@ -105,6 +102,7 @@ class Run:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
             sim.sort.every = 0  # for good: a pair style that comes later does not bring it back
         ghost_cutoff(sim, warn=True, setup=True)
+        check_appetite(sim)
         self.start_over(sort=True)
 
     def bind_hooks(self) -> None:
@@ -244,7 +242,7 @@ class Run:
         sim, end = self.sim, self.sim.step + steps
 
         def loop() -> None:
-            while sim.step < end and not self.stop:
+            while sim.step < end and not sim.interrupts.number:
                 self.step()
                 if sim.output.due(sim):
                     sim.output.write(sim)
@@ -257,20 +255,16 @@ class Run:
     def timed(self, loop: Callable[[], T]) -> tuple[RunReport, T]:
         """Carry out loop, then what ends a run."""
         sim, first = self.sim, self.sim.step
-        self.stop = False
-        restore = self._listen()
-        self.timers.clear()
-        try:
+        with sim.interrupts.listen():
+            self.timers.clear()
             result = loop()
-        finally:
-            restore()
         self.breaks.edit_special(sim)
         self.call("post_run")
         warn_small_box(sim)
         report = RunReport(
             steps=sim.step - first, seconds=self.timers.total(), sections=self.timers.sections, processor=self.timers.processor,
             neighbors=self._neighbors(), ghosts=sim.atoms.ghosts,
-            builds=self.builds, dangerous=self.dangerous, interrupted=self.stop,
+            builds=self.builds, dangerous=self.dangerous,
             full_neighbors=self._full_neighbors(),
         )  # fmt: skip
         return report, result
@@ -284,16 +278,3 @@ class Run:
         """Entries of a full list: a pair style's, or a compute's."""
         own = self.forces.lists.full if self.forces.lists else None
         return self.occasional.full_count if own is None else own
-
-    def _listen(self) -> Any:
-        """Let an interrupt set a flag; returns what puts the old handler back."""
-        if threading.current_thread() is not threading.main_thread():
-            return lambda: None
-
-        def note(number: int, frame: FrameType | None) -> None:
-            self.stop = True
-
-        before = signal.signal(signal.SIGINT, note)
-        return lambda: signal.signal(signal.SIGINT, before)
-
-

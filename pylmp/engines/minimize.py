@@ -95,6 +95,6 @@ class Relaxation:
             if sim.output.due(sim):
                 sim.output.write(sim)
                 self.run.timers.stamp("Output")
-            if self.run.stop:
+            if sim.interrupts.number:
                 return "interrupted"
         return MAX_ITERATIONS

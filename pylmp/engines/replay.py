@@ -30,10 +30,12 @@ def replay(run: Run, frames: Iterator[None]) -> RunReport:
             run.call("end_of_step")
             if count == 1:
                 sim.output.setup(sim)
-                continue
-            sim.output.jump(sim)
-            if sim.output.due(sim):
-                sim.output.write(sim)
+            else:
+                sim.output.jump(sim)
+                if sim.output.due(sim):
+                    sim.output.write(sim)
+            if sim.interrupts.number:
+                break
         sim.output.close(sim)
         return count
 

@@ -38,7 +38,6 @@ class RunReport:
     ghosts: int
     builds: int
     dangerous: int
-    interrupted: bool = False
     full_neighbors: int | None = None
     processor: dict[str, float] = field(default_factory=dict)  # the processor's seconds by section, under timer full
 

@@ -14,6 +14,7 @@ from pylmp.model.box import Box
 from pylmp.model.checks import check_integration, check_neighbor_settings
 from pylmp.model.console import Console
 from pylmp.model.groups import Groups
+from pylmp.model.interrupts import Interrupts
 from pylmp.model.labels import Labels
 from pylmp.model.minimize import MinSettings
 from pylmp.model.output import Output, add_default_computes
@@ -46,6 +47,7 @@ class Simulation:
     asking             which computes are wanted at which steps
     tally              energies and virials of the last step that summed them
     report             RunReport of the last run, None before
+    interrupts         whether Ctrl-C or SIGTERM came
     engine             who carries out runs
     script             the interpreter that feeds commands (flow control, variables)
     """
@@ -68,6 +70,7 @@ class Simulation:
         self.script: Any = None
         self.strict = False
         self.timer = Timer()
+        self.interrupts = Interrupts()
         self.suffixed = False  # the script named a suffix
         self.clear()
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from itertools import product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,12 +14,15 @@ from pylmp.kernels.random import RanPark
 from pylmp.model.atoms import Floats, Ints
 from pylmp.model.box import Box
 from pylmp.model.lattice import Lattice
+from pylmp.model.limits import ATOM_BYTES, room
 from pylmp.model.region import Region
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 _EDGE = 1.0e-6  # of the box length: sites this near a periodic face count as on it
+_MANY = 1_000_000  # cells
+_SAMPLES = 24  # in each direction
 _SKIPPED = 30  # numbers LAMMPS draws and forgets
 Wanted = Callable[[Floats], bool] | None  # what a variable says of one point (3,)
 
@@ -39,6 +43,7 @@ def lattice_sites(sim: Simulation, lattice: Lattice, region: Region | None, want
         region.update()
     low, high = (corner.tolist() for corner in box.brick(*box.frame))
     ranges = _cells(sim, lattice, *_narrowed((low, high), region))
+    _foresee(lattice, region, ranges)
     j, i, place = (
         grid.ravel() for grid in np.meshgrid(ranges[1], ranges[0], np.arange(len(lattice.basis)), indexing="ij")
     )
@@ -53,6 +58,21 @@ def lattice_sites(sim: Simulation, lattice: Lattice, region: Region | None, want
         sites.append(x[keep])
         places.append(place[keep])
     return np.concatenate(sites), np.concatenate(places)
+
+
+def _foresee(lattice: Lattice, region: Region | None, ranges: list[range]) -> None:
+    """Raises ScriptError if so many sites find no room: counted by cells, of which some thousand tell how many the region holds."""
+    cells = math.prod(map(len, ranges))
+    if cells < _MANY:
+        return
+    share = 1.0
+    if region is not None:
+        some = np.meshgrid(*(np.linspace(r.start, r.stop, _SAMPLES) for r in ranges), indexing="ij")
+        a, b, c = (axis.ravel() for axis in some)
+        axes: Any = lattice.to_box((a, b, c))  # type: ignore[arg-type]
+        share = float(region.match(np.stack(axes, axis=1)).mean())
+    count = cells * share * len(lattice.basis)
+    room(count * ATOM_BYTES, f"about {count:.3g} atoms", None, "create_atoms.html")
 
 
 def _narrowed(brick: tuple[list[float], list[float]], region: Region | None) -> tuple[list[float], list[float]]:

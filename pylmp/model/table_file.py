@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
 from pylmp.model.atoms import Floats
+from pylmp.model.paths import readable
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.span import Span
 from pylmp.text.words import Args, Word
@@ -70,7 +70,7 @@ class TableFile:
         """Raises ScriptError at word if the file cannot be read, or is of other units."""
         self.kind, self.name = kind, word.text
         try:
-            text = Path(self.name).read_bytes().decode(errors="replace")
+            text = readable(sim, word).read_bytes().decode(errors="replace")
         except OSError as error:
             says = f"cannot open {kind} table potential file {self.name}: {error.strerror or 'not readable'}"
             raise ScriptError(says, word.span, hint="a file of tables", manual=f"{kind}_table.html") from None

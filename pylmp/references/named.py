@@ -5,15 +5,16 @@ from __future__ import annotations
 import platform
 import re
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pylmp.model.paths import readable
 from pylmp.references import features, group_functions, vectors
 from pylmp.references.atom_values import by_tag
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.formula_error import FormulaError
+from pylmp.text.words import Word
 
 if TYPE_CHECKING:
     from pylmp.references.scope import Scope
@@ -79,7 +80,7 @@ def _is_file(scope: Scope, names: tuple[str, ...], mode: str) -> float:
     if len(names) != 1:
         raise FormulaError("Invalid is_file() function in variable formula")
     try:
-        return float(Path(names[0]).is_file())
+        return float(readable(scope.sim, Word(names[0])).is_file())
     except (OSError, ValueError):
         return 0.0
 

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pylmp.model.atoms import Floats
+from pylmp.model.paths import readable
 from pylmp.model.simulation import Simulation
 from pylmp.references import atom_values, measured, named
 from pylmp.references.atom_file import atom_sets
@@ -24,6 +24,11 @@ from pylmp.thermo.keywords import KEYWORDS
 
 if TYPE_CHECKING:
     from pylmp.kernels.random import RanMars
+
+# variables of the environment that tell nothing but the number of a job, threads and the clock's place
+_PUBLIC = (
+    "OMP_NUM_THREADS", "SLURM_JOB_ID", "SLURM_ARRAY_TASK_ID", "SLURM_NTASKS", "PBS_JOBID", "PBS_ARRAY_INDEX", "LSB_JOBID", "JOB_ID", "TZ",
+)  # fmt: skip
 
 
 class Scope:
@@ -145,7 +150,7 @@ class Scope:
     def lines(self, path: Word, what: str) -> list[str]:
         """The lines of a file; what: how LAMMPS names it."""
         try:
-            return Path(path.text).read_text(errors="surrogateescape").split("\n")
+            return readable(self.sim, path).read_text(errors="surrogateescape").split("\n")
         except (OSError, ValueError) as error:
             why = error.strerror if isinstance(error, OSError) else "Invalid argument"
             raise ScriptError(f"Cannot open {what} {path.text}: {why}", path.span) from None
@@ -156,9 +161,9 @@ class Scope:
 
     def environment(self, key: Word) -> Callable[[], str]:
         """What reads an environment variable, if the script may."""
-        if "env" not in self.sim.script.allow:
+        if key.text not in _PUBLIC and "env" not in self.sim.script.allow:
             raise ScriptError(
-                f"Cannot read environment variable {key.text}", key.span, code="S102", hint="--allow env lets scripts read the environment"
+                f"Cannot read environment variable {key.text}", key.span, code="S102", hint=f"--allow env lets scripts read all of the environment, not only {' '.join(_PUBLIC)}"
             )  # fmt: skip
         return lambda: os.environ.get(key.text, "")
 

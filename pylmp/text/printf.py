@@ -8,8 +8,11 @@ from __future__ import annotations
 import math
 import re
 
+from pylmp.text.diagnostic import ScriptError
+
 _CONVERSION = re.compile(r"%%|%([-+ #0]*)(\d*)(\.\d*)?(?:hh|h|ll|l|j|z|t|L|q)?([diouxXeEfFgGs])")
 _WHOLE = "diouxX"
+_DIGITS = 4  # of a width or a precision
 
 
 class Format:
@@ -29,6 +32,8 @@ class Format:
             if found[0] == "%%":
                 return "%%"
             count += 1
+            if max(len(found[2]), len((found[3] or "").lstrip("."))) > _DIGITS:
+                raise ScriptError(f"The format {text[:40]} asks for more characters than a line has room for", hint="a width below 10000", code="S110")
             self.whole, self.words = found[4] in _WHOLE, found[4] == "s"
             return f"%{found[1]}{found[2]}{found[3] or ''}{found[4]}"
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -37,6 +39,7 @@ def write_restart(sim: Simulation, name: Word) -> None:
     whole = encode(gather(sim, files=1 if "%" in name.text else 0))
     names = [name.text.replace("%", part, 1) for part in ("base", "0")] if len(whole) > 1 else [name.text]
     for path, data in reversed(list(zip(names, whole, strict=True))):
+        writable(sim, replace(name, text=path))
         try:
             write_whole(Path(path), data)
         except OSError as error:
@@ -46,20 +49,21 @@ def write_restart(sim: Simulation, name: Word) -> None:
             ) from None  # fmt: skip
 
 
-def read_restart(name: str) -> Content:
-    """The content of a file, or of a set of files where % is base, 0, 1, ... Raises ScriptError."""
+def read_restart(name: str, look: Callable[[str], object] = str) -> Content:
+    """The content of a file, or of a set of files where % is base, 0, 1, ...; look refuses what may not be read. Raises ScriptError."""
     base = name.replace("%", "base", 1)
     if base == name:
-        return decode(_read(name), name)
+        return decode(_read(name, look), name)
 
     def piece(number: int) -> tuple[bytes, str]:
         path = name.replace("%", str(number), 1)
-        return _read(path), path
+        return _read(path, look), path
 
-    return decode(_read(base), base, piece)
+    return decode(_read(base, look), base, piece)
 
 
-def _read(path: str) -> bytes:
+def _read(path: str, look: Callable[[str], object]) -> bytes:
+    look(path)
     try:
         return Path(path).read_bytes()
     except OSError as error:

@@ -15,6 +15,7 @@ from pylmp.text.diagnostic import ScriptError
 from pylmp.tools.diff.compare import Comparison, runs
 from pylmp.tools.diff.dialect import Dialect, translate
 from pylmp.tools.diff.instrument import instrument
+from pylmp.tools.permits import add_switches, granted
 
 SCHEMA = 1
 IDENTICAL, DIFFERENT, FAILED = 0, 4, 1
@@ -28,7 +29,7 @@ def main(arguments: list[str]) -> int:
     )  # fmt: skip
     parser.add_argument("script", type=Path)
     parser.add_argument("-var", "-v", nargs="+", action="append", default=[], metavar="NAME", help="NAME VALUE...")
-    parser.add_argument("--allow", action="append", default=[], metavar="WHAT", help="what pylmp permits the script: write, env, shell")
+    add_switches(parser)  # what pylmp permits the script; LAMMPS permits everything
     parser.add_argument("--engine", default="exact", help="pylmp's engine (default: exact)")
     parser.add_argument("--json", action="store_true", help="one JSON object instead of text")
     parser.add_argument("--keep", type=Path, metavar="FOLDER", help="keep both runs' files there")
@@ -63,7 +64,7 @@ def _diff(options: argparse.Namespace, switches: list[str], folder: Path) -> int
         for name in inputs:
             shutil.copy2(script.parent / name, place / name)
         (place / "in.diff").write_text("\n".join(instrument(text)) + "\n")
-    permits = [word for what in options.allow for word in ("--allow", what)]
+    permits = ["--allow", ",".join(granted(options))]
     mine = _native(native, [*switches, *permits, "--engine", options.engine], options.timeout)
     theirs = lammps.run("in.diff", reference, ["-nocite", *switches], timeout=options.timeout)
     for name, done in (("pylmp", mine), ("LAMMPS", theirs)):
