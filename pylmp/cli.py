@@ -112,7 +112,11 @@ def _parser() -> argparse.ArgumentParser:
     add("-restart2data", "-r2data", nargs="+", metavar="FILE", help="RESTART DATA [nocoeff]: pylmp restart to-data")
     add("-restart2info", "-r2info", nargs="+", metavar="FILE", help="RESTART: pylmp restart info")
     add("--strict", action="store_true", help="accept exactly what LAMMPS 22 Jul 2025 accepts")
-    add("--engine", default="auto", choices=ENGINES, help="who carries out the runs")
+    add(
+        "--engine", default="auto", choices=ENGINES,
+        help="who carries out the runs: auto or fast, the fast engine where it can, else the exact one; exact, which has the bits of LAMMPS; "
+        "lammps (default: auto)",
+    )  # fmt: skip
     add_switches(parser)
     add("--max-commands", type=int, metavar="N", help="stop a script that carries out more commands (default: no limit)")
     add("--max-jumps", type=int, metavar="N", help=f"jumps in a row that change nothing but variables (default: {JUMPS}; 0: any number)")
@@ -144,6 +148,7 @@ class Session:
             return self._on_lammps(path)
         import numpy as np
 
+        from pylmp.engines.announce import Announcer
         from pylmp.engines.exact import Exact
         from pylmp.engines.fast import Fast
         from pylmp.interpreter import Interpreter
@@ -154,12 +159,12 @@ class Session:
         except OSError as error:
             print(f"ERROR: {error}", file=sys.stderr)
             return WRONG
-        sim = Simulation(console, Fast() if options.engine == "fast" else Exact())
+        sim = Simulation(console, Exact(Announcer()) if options.engine == "exact" else Fast(Announcer()))
         sim.strict = options.strict
         jumps = (0 if options.trust else JUMPS) if options.max_jumps is None else options.max_jumps
         interpreter = Interpreter(sim, granted(options), options.max_commands, jumps or None)
         interpreter.echo = options.echo
-        console.both(f"{BANNER}\n  pylmp {__version__}, engine {sim.engine.name if sim.engine else 'none'}, 1 thread\n")
+        console.both(f"{BANNER}\n  pylmp {__version__}, engine {options.engine}\n")
         if options.skiprun:
             sim.timer.set_limit(0.0)
             console.both(f"New timer settings: {sim.timer}\n")

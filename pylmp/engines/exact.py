@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, TypeVar
 
+from pylmp.engines.announce import Announcer
 from pylmp.engines.force_field import ForceField
 from pylmp.engines.minimize import Relaxation
 from pylmp.engines.replay import replay
@@ -32,10 +33,14 @@ class Exact:
 
     name = "exact"
 
+    def __init__(self, announcer: Announcer | None = None) -> None:
+        self._announcer = announcer
+
     def run(self, sim: Simulation, scene: Scene, plan: RunPlan) -> RunReport:
         """Set up (unless plan says not to), advance plan.steps steps, report."""
         if plan.setup or not isinstance(sim.lists, Run):
             sim.lists = Run(sim)
+            self._announce(sim)
             sim.lists.setup()
         else:
             sim.output.setup(sim)
@@ -44,6 +49,7 @@ class Exact:
     def minimize(self, sim: Simulation, scene: Scene, plan: MinPlan) -> tuple[RunReport, MinReport]:
         """Set up, iterate, report."""
         sim.lists = Run(sim)
+        self._announce(sim)
         relaxation = Relaxation(sim.lists)
         relaxation.setup(plan)
         return sim.lists.timed(lambda: relaxation.iterate(plan))
@@ -51,7 +57,12 @@ class Exact:
     def replay(self, sim: Simulation, scene: Scene, frames: Iterator[None]) -> RunReport:
         """Lists, forces and output of each state."""
         sim.lists = Run(sim)
+        self._announce(sim)
         return replay(sim.lists, frames)
+
+    def _announce(self, sim: Simulation) -> None:
+        if self._announcer:
+            self._announcer.say(sim, self.name, sim.lists.kernels)
 
 
 class Run:
@@ -65,7 +76,7 @@ class Run:
         before = sim.bond_lists  # of an earlier run: they know what bonds remember since the last copy
         self.ghosts, self.forces = self._field(sim)
         self.occasional = Occasional(sim, self.forces.lists.whole if self.forces.lists else None)
-        self.forces.prepare(sim, self.occasional.functions())
+        self.kernels = self.forces.prepare(sim, self.occasional.functions())
         for listed in before:
             listed.copy_back(sim)
         sim.bond_lists = self.forces.bonds

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from pylmp.engines.announce import Announcer
 from pylmp.engines.exact import Exact, Run
 from pylmp.engines.fast_forces import FastForces
 from pylmp.engines.leap import Leap
@@ -80,8 +81,9 @@ class Fast:
 
     name = "fast"
 
-    def __init__(self) -> None:
-        self._exact = Exact()
+    def __init__(self, announcer: Announcer | None = None) -> None:
+        self._announcer = announcer
+        self._exact = Exact(announcer)
 
     def run(self, sim: Simulation, scene: Scene, plan: RunPlan) -> RunReport:
         if not plan.setup and isinstance(sim.lists, Run):
@@ -90,6 +92,8 @@ class Fast:
             sim.console.both(f"Engine exact for this run: engine fast lacks {', '.join(lacking)}\n")
             return self._exact.run(sim, scene, plan)
         sim.lists = FastRun(sim)
+        if self._announcer:
+            self._announcer.say(sim, self.name, sim.lists.kernels)
         sim.lists.setup()
         report: RunReport = sim.lists.advance(plan.steps)
         return report

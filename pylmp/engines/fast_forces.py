@@ -57,8 +57,8 @@ class FastForces:
         self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
         self._laid_out = False  # types and bonds, for the rows as they now are
 
-    def prepare(self, sim: Simulation, more: list[Function]) -> None:
-        """Compile what the store does not have, all at once, more included."""
+    def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
+        """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""
         functions = [*self._kernels, self._moved, self._extent, drive, *more]
         for listed in self.bonds:
             functions += listed.functions()
@@ -66,7 +66,7 @@ class FastForces:
             functions += self.lists.functions()
         for fix in sim.fixes:
             functions += fix.functions()
-        prepare(functions, sim.console.screen)
+        return prepare(functions, sim.console.screen)
 
     def measure(self, sim: Simulation) -> None:
         """Find the lowest and highest coordinates."""

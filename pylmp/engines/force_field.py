@@ -51,8 +51,8 @@ class ForceField:
         self._held_box = sim.box.corners()
         self._limit2 = np.zeros(1)
 
-    def prepare(self, sim: Simulation, more: list[Function]) -> None:
-        """Compile what the store does not have, all at once, more included."""
+    def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
+        """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""
         functions = [*sim.box.functions(), *self.ghosts.functions(), self._moved, *more]
         if self.lists:
             functions += self.lists.functions()
@@ -61,7 +61,7 @@ class ForceField:
             functions += [*listed.functions(), *mine.values()]
         for fix in sim.fixes:
             functions += fix.functions()
-        prepare(functions, sim.console.screen)
+        return prepare(functions, sim.console.screen)
 
     def _compose_bond(self, sim: Simulation, part: BondPart, level: int) -> Function:
         style = part.style

@@ -97,19 +97,24 @@ def release() -> None:
         placed.last = None
 
 
-def prepare(functions: Sequence[types.FunctionType], say: Callable[[str], None]) -> None:
-    """Compile what is missing of these, in parallel where the system allows; say gets one line if anything is."""
+def prepare(functions: Sequence[types.FunctionType], say: Callable[[str], None]) -> tuple[int, int]:
+    """Compile what is missing of these, in parallel where the system allows; say gets one line if anything is.
+
+    Returns how many different kernels they are, and how many of them were compiled.
+    """
     missing = {}
     for function in functions:
         if function not in _made and _found(function, name := key(function)) is None:
             missing[name] = function
+    known = len({id(_made[function]) for function in functions if function in _made})
     if not missing:
-        return
+        return known, 0
     many = "1 kernel" if len(missing) == 1 else f"{len(missing)} kernels"
     say(f"Compiling {many} for this scene, once (some seconds) ...\n")
     codes = compile_all(list(missing.values()))
     for (name, function), code in zip(missing.items(), codes, strict=True):
         _new(function, name, code)
+    return known + len(missing), len(missing)
 
 
 def _found(function: types.FunctionType, name: str) -> Kernel | None:

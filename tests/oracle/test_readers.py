@@ -78,7 +78,7 @@ class Twins:
 
 
 def pylmp(folder: Path) -> list[str]:
-    return [sys.executable, "-m", "pylmp", "in.script", "-screen", "none"]
+    return [sys.executable, "-m", "pylmp", "in.script", "-screen", "none", "--engine", "exact"]
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,26 @@
+"""The lines of a log that say who carries out a run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pylmp.model.simulation import Simulation
+
+PRECISION = {"exact": "float64, the bits of LAMMPS", "fast": "float64, distances of the neighbor list float32 with a margin"}
+
+
+class Announcer:
+    """Says it at the first run, and again when the engine changes or kernels were compiled."""
+
+    def __init__(self) -> None:
+        self._said = ""
+
+    def say(self, sim: Simulation, engine: str, kernels: tuple[int, int]) -> None:
+        """kernels: how many there are, how many of them were compiled."""
+        many, new = kernels
+        if engine == self._said and not new:
+            return
+        self._said = engine
+        came = f"{new} compiled" if new == many else f"{many - new} from the store, {new} compiled" if new else "from the store"
+        sim.console.both(f"Engine {engine}: {many} kernels ({came}), 1 thread, {PRECISION[engine]}\n")
