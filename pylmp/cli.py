@@ -161,6 +161,7 @@ class Session:
             return WRONG
         sim = Simulation(console, Exact(Announcer()) if options.engine == "exact" else Fast(Announcer()))
         sim.strict = options.strict
+        sim.interrupts.loud = sys.stderr.isatty()
         jumps = (0 if options.trust else JUMPS) if options.max_jumps is None else options.max_jumps
         interpreter = Interpreter(sim, granted(options), options.max_commands, jumps or None)
         interpreter.echo = options.echo

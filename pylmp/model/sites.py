@@ -67,7 +67,7 @@ def _foresee(lattice: Lattice, region: Region | None, ranges: list[range]) -> No
         return
     share = 1.0
     if region is not None:
-        some = np.meshgrid(*(np.linspace(r.start, r.stop, _SAMPLES) for r in ranges), indexing="ij")
+        some = np.meshgrid(*(r.start + (np.arange(_SAMPLES) + 0.5) * (len(r) / _SAMPLES) for r in ranges), indexing="ij")
         a, b, c = (axis.ravel() for axis in some)
         axes: Any = lattice.to_box((a, b, c))  # type: ignore[arg-type]
         share = float(region.match(np.stack(axes, axis=1)).mean())
