@@ -177,6 +177,11 @@ class Interpreter:
             raise error.at(owner.span) from None
         except MemoryError:
             raise ScriptError("There is not enough memory for this", owner.span, hint="fewer atoms, or smaller tables", code="S109") from None
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            name = f" {error.filename}" if error.filename else ""
+            raise ScriptError(f"Cannot use file{name}: {error.strerror or error}", owner.span, code="S111") from None
         self.sim.interrupts.obey()
         if ready.rejection is not None:
             complain(ready.rejection, args)

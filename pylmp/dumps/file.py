@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import gzip
 import os
 from pathlib import Path
+from typing import NoReturn
 
+from pylmp.io.whole_file import write_whole
 from pylmp.text.diagnostic import ScriptError, Unsupported
 from pylmp.text.words import Args, Word
 
@@ -44,10 +47,10 @@ class DumpFile:
             data = gzip.compress(data)
         if self.one_a_frame:
             path = self.name.replace("*", str(step).zfill(self.pad))
-            self._file = self._create(f"{path}.part", False)
-            self._write(data)
-            self.close()
-            os.replace(f"{path}.part", path)
+            try:
+                write_whole(Path(path), data, sync=False)
+            except OSError as error:
+                self._cannot(path, error)
             self._forget(path)
         else:
             self.open()
@@ -63,10 +66,13 @@ class DumpFile:
 
     def _write(self, data: bytes) -> None:
         assert self._file is not None
+        written = 0
         try:
-            while data:
-                data = data[os.write(self._file, data) :]
+            while written < len(data):
+                written += os.write(self._file, data[written:])
         except OSError as error:
+            with contextlib.suppress(OSError):  # no part of a frame stays
+                os.ftruncate(self._file, os.lseek(self._file, 0, os.SEEK_CUR) - written)
             raise ScriptError(f"Error writing dump {self.name}: {error.strerror}") from None
 
     def close(self) -> None:
@@ -79,5 +85,9 @@ class DumpFile:
         try:
             return os.open(path, os.O_WRONLY | os.O_CREAT | (os.O_APPEND if append else os.O_TRUNC), 0o666)
         except OSError as error:
-            hint = "the folder does not exist" if not Path(path).parent.is_dir() else ""
-            raise ScriptError(f"Cannot open dump file {path}:{error.strerror}", hint=hint, manual="dump.html") from None
+            DumpFile._cannot(path, error)
+
+    @staticmethod
+    def _cannot(path: str, error: OSError) -> NoReturn:
+        hint = "the folder does not exist" if not Path(path).parent.is_dir() else ""
+        raise ScriptError(f"Cannot open dump file {path}:{error.strerror}", hint=hint, manual="dump.html") from None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from typing import TYPE_CHECKING
 
@@ -30,10 +31,13 @@ class GrowingFile:
     def write(self, text: str) -> None:
         """Add text."""
         data = text.encode()
+        written = 0
         try:
-            while data:
-                data = data[os.write(self._file, data) :]
+            while written < len(data):
+                written += os.write(self._file, data[written:])
         except OSError as error:
+            with contextlib.suppress(OSError):  # no part of a block stays
+                os.ftruncate(self._file, os.lseek(self._file, 0, os.SEEK_CUR) - written)
             raise ScriptError(f"Error writing file {self.name}: {error.strerror}") from None
 
     def mark(self) -> None:

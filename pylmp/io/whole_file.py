@@ -7,11 +7,11 @@ import tempfile
 from pathlib import Path
 
 
-def write_whole(path: Path, content: str | bytes) -> None:
+def write_whole(path: Path, content: str | bytes, sync: bool = True) -> None:
     """Write content under a temporary name in the same folder, then give it its name. Raises OSError.
 
     Whoever reads path sees the old file or the new one, also after a crash. An existing file keeps its permissions;
-    what is no ordinary file (/dev/stdout, a pipe) is written to directly.
+    without sync the system chooses when the bytes reach the disk; what is no ordinary file (/dev/stdout, a pipe) is written to directly.
     """
     path = Path(path)
     if path.exists() and not path.is_file():
@@ -23,7 +23,8 @@ def write_whole(path: Path, content: str | bytes) -> None:
         with os.fdopen(handle, "wb") as stream:
             stream.write(_bytes(content))
             stream.flush()
-            os.fsync(stream.fileno())
+            if sync:
+                os.fsync(stream.fileno())
         os.chmod(name, path.stat().st_mode & 0o7777 if path.exists() else 0o666 & ~_umask())
         os.replace(name, path)
     except BaseException:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TextIO
 
+from pylmp.text.diagnostic import ScriptError
+
 
 class Console:
     """Two streams, either may be absent. Text is passed with its newlines."""
@@ -21,11 +23,21 @@ class Console:
 
     def screen(self, text: str) -> None:
         if self.screen_file is not None:
-            self.screen_file.write(text)
+            try:
+                self.screen_file.write(text)
+            except BrokenPipeError:
+                raise
+            except OSError as error:
+                self.screen_file = None
+                raise ScriptError(f"Error writing to the screen: {error.strerror}") from None
 
     def log(self, text: str) -> None:
         if self.log_file is not None:
-            self.log_file.write(text)
+            try:
+                self.log_file.write(text)
+            except OSError as error:
+                self.log_file = None
+                raise ScriptError(f"Error writing log file: {error.strerror}") from None
 
     def warning(self, message: str) -> None:
         self.warnings += 1

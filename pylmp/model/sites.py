@@ -69,7 +69,7 @@ def _foresee(lattice: Lattice, region: Region | None, ranges: list[range]) -> No
     if region is not None:
         some = np.meshgrid(*(r.start + (np.arange(_SAMPLES) + 0.5) * (len(r) / _SAMPLES) for r in ranges), indexing="ij")
         a, b, c = (axis.ravel() for axis in some)
-        axes: Any = lattice.to_box((a, b, c))  # type: ignore[arg-type]
+        axes: Any = lattice.to_box((a, b, c))
         share = float(region.match(np.stack(axes, axis=1)).mean())
     count = cells * share * len(lattice.basis)
     room(count * ATOM_BYTES, f"about {count:.3g} atoms", None, "create_atoms.html")
