@@ -16,6 +16,7 @@ from pylmp.engines.announce import Announcer
 from pylmp.engines.exact import Exact, Run
 from pylmp.engines.fast_forces import FastForces
 from pylmp.engines.leap import Leap
+from pylmp.engines.renewal import Renewal
 from pylmp.kernels.kinds import Function
 from pylmp.model.asking import SHARED, levels
 from pylmp.model.atoms import Ints
@@ -121,7 +122,7 @@ class FastRun(Run):
     forces: FastForces
 
     def __init__(self, sim: Simulation) -> None:
-        self.leap = Leap()
+        self.leap, self.renewal = Leap(), Renewal()
         self.end = 0
         super().__init__(sim)
 
@@ -131,10 +132,24 @@ class FastRun(Run):
 
     def renew(self) -> None:
         """All lists are built anew where somebody has moved too far."""
-        if self._must_rebuild():
-            self._rebuild(setup=False)
-        else:
+        if not self._must_rebuild():
             self.timers.stamp("Neigh")
+        elif self.renewal.go(self.sim.step):
+            self.renewed(1)
+        else:
+            self._rebuild(setup=False)
+
+    def renewed(self, builds: int) -> None:
+        """Lists were made anew, rows are what they were."""
+        self.occasional.forget()
+        self.ago = 0
+        self.builds += builds
+        self.timers.stamp("Neigh")
+
+    @property
+    def sorts(self) -> bool:
+        sort = self.sim.sort
+        return bool(sort.every and (sort.bin_size or self.sim.neighbor_cutoff > 0.0))
 
     def _forces(self, wanted: int, setup: bool) -> None:
         sim, timers = self.sim, self.timers
@@ -160,7 +175,7 @@ class FastRun(Run):
         if box.shrinks(atoms, sim.natoms):
             box.shrink_to(self.forces.least, self.forces.most)
         leaving = bool(((self.forces.least < box.lo) | (self.forces.most >= box.hi)).any())
-        sorting = bool(sort and sim.sort.every and (sim.sort.bin_size or sim.neighbor_cutoff > 0.0)) and (setup or sim.step >= self.sorter.next)
+        sorting = sort and self.sorts and (setup or sim.step >= self.sorter.next)
         if setup or leaving or sorting:
             if not setup:
                 self.forces.copy_back(sim)
@@ -183,12 +198,14 @@ class FastRun(Run):
         self.ago = 0
         self.builds += 1
         self.call("post_neighbor")
+        self.renewal.bind(self)
         self.leap.forget()
         self.timers.stamp("Neigh")
 
     def advance(self, steps: int) -> RunReport:
         self.end = self.sim.step + steps
-        self.leap.forget()  # what fixes do may have been changed since the last run
+        self.renewal.forget()
+        self.leap.forget()  # what fixes do, and whatever arrays hold, may have been changed since the last run
         report = super().advance(steps)
         self.forces.copy_back(self.sim)
         return report

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -133,10 +134,9 @@ class FastBonds:
                 self.memories, self.slots,
             )()  # fmt: skip
 
-    def forget_broken(self) -> None:
-        """A new list has the atoms of broken bonds."""
-        if self.part.updates_special:
-            kernel(self._clear).bind(self.kind, self.slots)()
+    def forgetting(self) -> Callable[[], float]:
+        """A call for when there is a new list: it has the atoms of broken bonds."""
+        return kernel(self._clear).bind(self.kind, self.slots if self.part.updates_special else 0)
 
     def book(self, sim: Simulation, count: int) -> None:
         """Bookkeeping for count slots of broken, one at each end of a bond."""

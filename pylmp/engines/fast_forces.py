@@ -14,6 +14,7 @@ from pylmp.kernels.fast import FAR, blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
 from pylmp.kernels.fast.driver import drive
 from pylmp.kernels.fast.forces import TALLIES, PairTerm, force_loop
+from pylmp.kernels.fast.renewal import hold, look_out, renew
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel, prepare
 from pylmp.model.asking import ENERGY, VIRIAL
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 Call = Callable[[], float]
+Step = tuple[Call, float, float]
 
 
 class FastForces:
@@ -42,7 +44,8 @@ class FastForces:
         term = PairTerm(self.pair.law, self.pair.width, self.pair.style.velocity, sim.atom_types == 1) if self.pair else None
         bond = self.bonds[0].term(sim, self.pair) if self.bonds else None
         self._kernels = [force_loop(term, bond, sim.box.periodic, tally) for tally in (False, True)]
-        self._moved, self._extent = neighbor_loops.moved(), loops.extents()
+        self._moved, self._extent, self._beyond = neighbor_loops.moved(), loops.extents(), look_out(sim.box.periodic)
+        self._hold: Function = hold
         self._calls: list[Call] = []
         self._may_break = np.zeros(1, np.int64)
         self._reports = bool(self.bonds) and self.bonds[0].part.style.report is not None
@@ -59,7 +62,7 @@ class FastForces:
 
     def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
         """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""
-        functions = [*self._kernels, self._moved, self._extent, drive, *more]
+        functions = [*self._kernels, self._moved, self._extent, self._beyond, *sim.box.functions(), self._hold, renew, drive, *more]
         for listed in self.bonds:
             functions += listed.functions()
         if self.lists is not None:
@@ -71,7 +74,18 @@ class FastForces:
     def measure(self, sim: Simulation) -> None:
         """Find the lowest and highest coordinates."""
         if sim.atoms.n:
-            kernel(self._extent).bind(sim.atoms.x, self._scratch, self.least, self.most, sim.atoms.n)()
+            self._measuring(sim)()
+
+    def _measuring(self, sim: Simulation) -> Call:
+        return kernel(self._extent).bind(sim.atoms.x, self._scratch, self.least, self.most, sim.atoms.n)
+
+    def renewal(self, sim: Simulation) -> list[Step]:
+        """What makes new lists for the same rows, bound as the last rebuild left it; nothing of it goes wrong twice when a rebuild follows."""
+        atoms, box = sim.atoms, sim.box
+        beyond = kernel(self._beyond).bind(self.least, self.most, box.lo, box.hi)
+        always = [self._measuring(sim), beyond, box.wrapping(atoms), *(listed.forgetting() for listed in self.bonds)]
+        holding = kernel(self._hold).bind(atoms.x, self._held, atoms.n)
+        return [*((call, 0.0, 0.0) for call in always), *(self.lists.steps if self.lists else []), (holding, 0.0, 0.0)]
 
     def copy_back(self, sim: Simulation) -> None:
         for listed in self.bonds:
@@ -98,7 +112,7 @@ class FastForces:
                 listed.build(sim)
         else:
             for listed in self.bonds:
-                listed.forget_broken()
+                listed.forgetting()()
         if self.lists is not None:
             self.lists.build(sim, self.bonds[0].left_out if self.bonds else None, self.least, self.most)
         check_bonded(sim)

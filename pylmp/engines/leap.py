@@ -58,10 +58,13 @@ class Leap:
         run.forces.may_break()
         last = sim.step + steps
         while True:
-            plan[driver.AGO], plan[driver.DANGEROUS] = run.ago, run.dangerous
+            plan[driver.AGO], plan[driver.DANGEROUS], plan[driver.BUILDS] = run.ago, run.dangerous, 0
+            plan[driver.QUIET] = max(last + 1 - run.renewal.until, 0) if run.renewal.call else steps
             assert self._call is not None
             why = self._call()
             run.timers.book(_SECTIONS, self._times)
+            if plan[driver.BUILDS]:
+                run.renewed(int(plan[driver.BUILDS]))
             run.ago, run.dangerous = int(plan[driver.AGO]), int(plan[driver.DANGEROUS])
             if why == driver.DONE:
                 sim.step = last
@@ -92,7 +95,7 @@ class Leap:
         if (quiet := run.forces.quiet()) is None:
             self._able = False
             return False
-        bound = [*first, *quiet, *behind]
+        bound = [*first, *quiet, *behind, *([run.renewal.call] if run.renewal.call else [])]
         if len(bound) != len(self._bound) or any(a is not b for a, b in zip(bound, self._bound, strict=True)):
             self._bound = bound
             self._plan[driver.FIRST], self._plan[driver.LAST] = len(first), len(behind)

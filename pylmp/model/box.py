@@ -8,6 +8,7 @@ the cell vectors (LAMMPS's lamda) in a triclinic box. `enter` and `leave` change
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar, Self
 
 import numpy as np
@@ -218,10 +219,14 @@ class Box:
         """LAMMPS's pbc: periodic coordinates move by at most one box length a side, in place, in frame coordinates. Raises ScriptError."""
         if not np.isfinite(atoms.x[: atoms.n]).all():
             raise ScriptError("Non-numeric atom coords - simulation unstable", hint="a smaller timestep, or forces that do not diverge")
+        self.wrapping(atoms)()
+
+    def wrapping(self, atoms: Atoms) -> Callable[[], float]:
+        """The call that wrap makes when all positions are numbers."""
         self._wraps[:] = self.periodic
-        kernel(_WRAP).bind(
+        return kernel(_WRAP).bind(
             atoms.x, atoms.v, atoms.image, atoms.mask, *self.frame, self._wraps, self.rate, self.rate_group, atoms.n
-        )()
+        )
 
     def lost(self, atoms: Atoms) -> bool:
         """Is an owned atom beyond a face? In frame coordinates."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from pylmp.model.atoms import Ints
 from pylmp.model.bond import bond_pairs
-from pylmp.model.topology import BOND, entries
+from pylmp.model.topology import BOND, Kind, entries
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
@@ -41,11 +41,14 @@ def check_lost_partner(sim: Simulation, lost: bool, sentence: str) -> None:
         sim.console.warning(sentence)
 
 
+def looks_for_bonded(sim: Simulation) -> list[Kind]:
+    """What check_bonded looks for. Of bonds the bond list says so itself when that is an error."""
+    return [kind for kind in sim.style.kinds if kind.style(sim) is not None and (kind is not BOND or sim.lost_bonds == "warn")]
+
+
 def check_bonded(sim: Simulation) -> None:
-    """At each rebuild: all atoms of what has a force style are there. Of bonds the bond list says so itself when that is an error."""
-    for kind in sim.style.kinds:
-        if kind.style(sim) is None or (kind is BOND and sim.lost_bonds != "warn"):
-            continue
+    """At each rebuild: all atoms of what has a force style are there."""
+    for kind in looks_for_bonded(sim):
         found = entries(sim, kind, lambda types: types > 0)
         missing = (found.at(sim) < 0).any(axis=1)
         if not missing.any():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 
 from pylmp.io.run_log import memory_line
 from pylmp.model.asking import ENERGY
@@ -241,7 +241,7 @@ class Thermo:
         own = self.formats.get(k) or (self.for_whole if whole else self.for_real)
         if own is None and self.for_line:
             own = self.for_line[k]
-        return own or Format(self.layout.whole if whole else self.layout.real)
+        return own or _format(self.layout.whole if whole else self.layout.real)
 
     def _check_lost(self) -> None:
         sim = self.sim
@@ -257,6 +257,9 @@ class Thermo:
             self._warned = True
             sim.console.warning(text)
         sim.natoms = sim.atoms.n
+
+
+_format = cache(Format)
 
 
 def _measured(found: Reference, values: str, at: tuple[int, ...], thermo: Thermo) -> float:

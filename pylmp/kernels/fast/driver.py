@@ -11,11 +11,13 @@ AGO = 2  # steps since the last list
 DANGEROUS = 3  # lists that came late
 BROKEN = 4  # slots of bonds that broke
 FIRST = 5  # calls before the forces: the first ones
-LAST = 6  # calls behind them: the last ones; between both the test who has moved, and the forces
+LAST = 6  # calls behind them; between both the test who has moved, and the forces; the very last call renews the lists
 EVERY, DELAY = 7, 8
 REBUILDS = 9  # NEVER, ALWAYS, IF_MOVED
 CLOCK, NUMBER = 10, 11  # of the C library, as machine.clock gives them
-PLAN = 12
+QUIET = 12  # while there are more steps than that to go the last call renews the lists, if it can
+BUILDS = 13  # lists renewed that way
+PLAN = 14
 
 START, FORCES, BEHIND = 0, 1, 2  # stages
 NEVER, ALWAYS, IF_MOVED = 0, 1, 2
@@ -26,7 +28,7 @@ MODIFY, NEIGH, PAIR = 0, 1, 2  # sections of the table of timings
 def drive(plan: "i8*", calls: "i8*", times: "f8*", room: "i8*") -> "f8":
     """Carry out steps as Run.step does. calls: address and block of each call. times (3,): gets the seconds of the sections. room: (2,) scratch.
 
-    Stops when all steps are done, between drift and forces when lists must be built anew, or behind the forces when bonds broke.
+    Stops when all steps are done, between drift and forces when lists must be built anew by Python, or behind the forces when bonds broke.
     """
     first = plan[FIRST]
     behind = first + 2 + plan[LAST]
@@ -56,8 +58,14 @@ def drive(plan: "i8*", calls: "i8*", times: "f8*", room: "i8*") -> "f8":
                     if moved and ago == max(every, delay):
                         plan[DANGEROUS] += 1
                 if moved:
-                    plan[STAGE] = FORCES
-                    return REBUILD
+                    if plan[STEPS] <= plan[QUIET] or invoke(calls[2 * behind], calls[2 * behind + 1]) != 0.0:
+                        plan[STAGE] = FORCES
+                        return REBUILD
+                    plan[AGO] = 0
+                    plan[BUILDS] += 1
+                    now = seconds(clock, number, room)
+                    times[NEIGH] += now - before
+                    before = now
         if stage != BEHIND:
             broken = int(invoke(calls[2 * first + 2], calls[2 * first + 3]))
             now = seconds(clock, number, room)

@@ -114,7 +114,7 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
         return m
 
     def list_rows(
-        start: "i4*", order: "i4*", near_x: "f4*", near_y: "f4*", near_z: "f4*", counts: "i8*", lengths: "f8*", limit2: "f8",
+        start: "i4*", order: "i4*", near_x: "f4*", near_y: "f4*", near_z: "f4*", counts: "i8*", lengths: "f8*", limit2: "f8*",
         x: "f4*", y: "f4*", z: "f4*", rows: "i4*", room: "i8", left_first: "i8*", left_out: "i4*", stamp: "i4*",
         found: "i4*", edge: "u1*", listed: "i4*", width: "i8",
     ) -> "f8":
@@ -125,6 +125,7 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
         of -1, scratch. Returns the most that any row has, or ROOM (for candidates), or WIDTH.
         """
         most = 0
+        reach2 = limit2[0]
         for cz in range(counts[2]):
             for cy in range(counts[1]):
                 for cx in range(counts[0]):
@@ -187,7 +188,7 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
                             dy = load(y, k, WIDE) - yi
                             dz = load(z, k, WIDE) - zi
                             j = load(rows, k, WIDE)
-                            take = (dx * dx + dy * dy + dz * dz < limit2) & (j != i)
+                            take = (dx * dx + dy * dy + dz * dz < reach2) & (j != i)
                             if at > full:
                                 return WIDTH
                             at += compress(listed, at, j, take)
