@@ -224,9 +224,7 @@ class Box:
     def wrapping(self, atoms: Atoms) -> Callable[[], float]:
         """The call that wrap makes when all positions are numbers."""
         self._wraps[:] = self.periodic
-        return kernel(_WRAP).bind(
-            atoms.x, atoms.v, atoms.image, atoms.mask, *self.frame, self._wraps, self.rate, self.rate_group, atoms.n
-        )
+        return kernel(_WRAP).bind(atoms.x, atoms.v, atoms.image, atoms.mask, *self.frame, self._wraps, self.rate, self.rate_group, atoms.n)
 
     def lost(self, atoms: Atoms) -> bool:
         """Is an owned atom beyond a face? In frame coordinates."""
