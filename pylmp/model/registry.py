@@ -12,7 +12,6 @@ import importlib
 import pkgutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from importlib.metadata import entry_points
 from typing import Any, Generic, TypeVar
 
 T = TypeVar("T")
@@ -59,6 +58,8 @@ class Registry(Generic[T]):
         """Import every module of the package and every entry point of the group."""
         if self._loaded:
             return
+        from importlib.metadata import entry_points  # 10 ms, which a script of known names does not spend
+
         self._loaded = True
         home = importlib.import_module(self.package)
         for module in pkgutil.iter_modules(home.__path__):
