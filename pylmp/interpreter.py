@@ -259,6 +259,6 @@ class Interpreter:
         )  # fmt: skip
 
 
-def run_text(sim: Simulation, text: str, name: str = "<script>") -> None:
+def run_text(sim: Simulation, text: str, name: str = "<script>", allow: Iterable[str] = ()) -> None:
     """Execute a script given as text: the short way in for programs."""
-    Interpreter(sim).run(text, name)
+    Interpreter(sim, allow).run(text, name)

@@ -58,7 +58,7 @@ def simulate(script: str, folder: Path, engine=None, screen: io.StringIO | None 
     before = Path.cwd()
     os.chdir(folder)
     try:
-        run_text(sim, script)
+        run_text(sim, script, allow=["read"])
     finally:
         os.chdir(before)
     return sim, screen.getvalue()

@@ -128,7 +128,7 @@ def on_pylmp(script: str, folder: Path) -> Made:
     made = Made()
     try:
         with contextlib.chdir(folder):
-            Interpreter(sim).run(script, "in.script")
+            Interpreter(sim, ["read"]).run(script, "in.script")
     except ScriptError as error:
         made.error = error.diagnostic.message.splitlines()[0]
         if error.diagnostic.span is None:
