@@ -75,7 +75,7 @@ class Run:
         self.breaks = sim.breaks = sim.breaks if isinstance(sim.breaks, Breaks) else Breaks()
         before = sim.bond_lists  # of an earlier run: they know what bonds remember since the last copy
         self.ghosts, self.forces = self._field(sim)
-        self.occasional = Occasional(sim, self.forces.lists.whole if self.forces.lists else None)
+        self.occasional = self._lists_of_computes(sim)
         self.kernels = self.forces.prepare(sim, self.occasional.functions())
         for listed in before:
             listed.copy_back(sim)
@@ -90,6 +90,9 @@ class Run:
         """The ghosts and the force field of this engine."""
         ghosts = Ghosts(sim)
         return ghosts, ForceField(sim, ghosts)
+
+    def _lists_of_computes(self, sim: Simulation) -> Occasional:
+        return Occasional(sim, self.forces.lists.whole if self.forces.lists else None)
 
     # ---- set-up ---------------------------------------------------------------------------------------------
 

@@ -15,13 +15,13 @@ import numpy as np
 from pylmp.engines.announce import Announcer
 from pylmp.engines.exact import Exact, Run
 from pylmp.engines.fast_forces import FastForces
+from pylmp.engines.fast_ghosts import GhostRun, wants_ghosts
+from pylmp.engines.guests import Guests
 from pylmp.engines.leap import Leap
 from pylmp.engines.renewal import Renewal
 from pylmp.kernels.kinds import Function
-from pylmp.model.asking import SHARED, levels
 from pylmp.model.atoms import Ints
 from pylmp.model.engine import RunPlan, RunReport
-from pylmp.model.fix import hooks
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
 from pylmp.model.minimize import MinPlan, MinReport
@@ -31,50 +31,31 @@ from pylmp.model.simulation import Simulation
 
 def obstacles(sim: Simulation) -> list[str]:
     """What of this simulation the fast engine lacks, in words; empty: it can run it."""
-    box, found = sim.box, []
-    if box.triclinic:
-        found.append("a triclinic box")
-    if box.rate_group:
-        found.append("fix deform remap v")
-    if sim.neighbor.exclude:
-        found.append("neigh_modify exclude")
-    if sim.neighbor.style == "nsq":
-        found.append("neighbor nsq")
-    found += _pair_obstacles(sim) + _bond_obstacles(sim)
-    if any(compute.wish(sim) is not None for compute in sim.computes.values()):
-        found.append("a compute that needs a neighbor list")
-    if SHARED in levels(sim):
-        found.append("a compute of energy or stress per atom")
-    return found
+    return _pair_obstacles(sim) + _bond_obstacles(sim)
 
 
 def _pair_obstacles(sim: Simulation) -> list[str]:
-    parts = sim.pair.working if sim.pair else []
     found = []
-    if sim.pair and (len(sim.pair.parts) > 1 or sim.pair.hybrid):
-        found.append("several pair styles")
-    if any(part.style.data is not None or part.style.watch is not None for part in parts):
-        found.append(f"pair_style {parts[0].style.name}")
-    if parts and not parts[0].settings.compute:
-        found.append("pair_modify compute no")
-    if parts and sim.has_bonds and not {*sim.special.lj, *(parts[0].settings.lj or ())} <= {0.0, 1.0}:
-        found.append("special_bonds weights between 0 and 1")
-    reach = 2.0 * sim.neighbor_cutoff
-    if any(periodic and length < reach for periodic, length in zip(sim.box.periodic[: sim.dimension], sim.box.length, strict=False)):
-        found.append("a periodic box narrower than twice the neighbor cutoff")
+    for part in sim.pair.working if sim.pair else []:
+        if part.style.data is not None or part.style.watch is not None:
+            found.append(f"pair_style {part.style.name}")
+        if part.settings.lj not in (None, sim.special.lj):
+            found.append("pair_modify special")
+    if sim.pair and not all(part.settings.compute for part in sim.pair.parts) and any(part.style.subtract_pair for part in (sim.bond.parts if sim.bond else [])):
+        found.append(f"pair_modify compute no with bond_style {sim.bond.name}")
     return found
 
 
 def _bond_obstacles(sim: Simulation) -> list[str]:
-    parts = sim.bond.parts if sim.bond else []
-    if len(parts) > 1:
-        return ["several bond styles"]
-    style = parts[0].style if parts else None
-    if style is not None and style.volumes(parts[0].options):
-        return [f"bond_style {style.name} volume/factor yes"]
-    if style is not None and style.read is not None:
-        return [f"bond_style {style.name}"]
-    return []
+    parts, found = sim.bond.parts if sim.bond else [], []
+    for part in parts:
+        if len(parts) > 1 and part.style.misplaces and not part.stored:
+            found.append(f"what LAMMPS mixes up of bond_style {part.style.name} under hybrid in the first run")
+        if part.style.volumes(part.options):
+            found.append(f"bond_style {part.style.name} volume/factor yes")
+        elif part.style.read is not None:
+            found.append(f"bond_style {part.style.name}")
+    return found
 
 
 class Fast:
@@ -92,7 +73,7 @@ class Fast:
         if lacking := obstacles(sim):
             sim.console.both(f"Engine exact for this run: engine fast lacks {', '.join(lacking)}\n")
             return self._exact.run(sim, scene, plan)
-        sim.lists = FastRun(sim)
+        sim.lists = GhostRun(sim) if wants_ghosts(sim) else FastRun(sim)
         if self._announcer:
             self._announcer.say(sim, self.name, sim.lists.kernels)
         sim.lists.setup()
@@ -116,10 +97,8 @@ class NoGhosts:
         return []
 
 
-class FastRun(Run):
-    """A run of the fast engine."""
-
-    forces: FastForces
+class FastRun(GhostRun):
+    """A run of the fast engine without ghosts."""
 
     def __init__(self, sim: Simulation) -> None:
         self.leap, self.renewal = Leap(), Renewal()
@@ -129,6 +108,9 @@ class FastRun(Run):
     @staticmethod
     def _field(sim: Simulation) -> tuple[Any, Any]:
         return NoGhosts(), FastForces(sim)
+
+    def _lists_of_computes(self, sim: Simulation) -> Guests:
+        return Guests(sim)
 
     def renew(self) -> None:
         """All lists are built anew where somebody has moved too far."""
@@ -150,19 +132,6 @@ class FastRun(Run):
     def sorts(self) -> bool:
         sort = self.sim.sort
         return bool(sort.every and (sort.bin_size or self.sim.neighbor_cutoff > 0.0))
-
-    def _forces(self, wanted: int, setup: bool) -> None:
-        sim, timers = self.sim, self.timers
-        if wanted and (wanted := self.forces.able(wanted)):
-            sim.tally.step, sim.tally.wanted = sim.step, wanted
-        if setup:
-            for hook in hooks(sim.fixes, "setup_pre_force"):
-                hook(sim)
-        elif self.hooks["pre_force"]:
-            self.call("pre_force")
-            timers.stamp("Modify")
-        self.forces.evaluate(sim, wanted, setup)
-        timers.stamp("Pair")
 
     def _rebuild(self, setup: bool, sort: bool = True) -> None:
         """Wrap, sort, lists. Bonds stay as they are laid out until atoms change places."""
@@ -206,11 +175,14 @@ class FastRun(Run):
         self.end = self.sim.step + steps
         self.renewal.forget()
         self.leap.forget()  # what fixes do, and whatever arrays hold, may have been changed since the last run
-        report = super().advance(steps)
-        self.forces.copy_back(self.sim)
-        return report
+        return super().advance(steps)
 
     def step(self) -> None:
         """A step, or many that need nothing of Python."""
+        if self.sim.atoms.ghosts:  # guests of computes
+            self.sim.atoms.clear_ghosts()
+            if not self.forces.fill_rows(self.sim):
+                self.renewal.forget()
+                self.leap.forget()
         if not self.leap.go(self, self.end):
             super().step()

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.kernels.fast import blocks, nobody
+from pylmp.kernels.fast import blocks
 from pylmp.kernels.fast import bonds as loops
-from pylmp.kernels.fast.forces import BondTerm
+from pylmp.kernels.fast.terms import BondTerm
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel
@@ -20,7 +20,6 @@ from pylmp.text.diagnostic import ScriptError
 if TYPE_CHECKING:
     from pylmp.model.atoms import Floats, Ints
     from pylmp.model.bond import BondPart
-    from pylmp.model.pair import PairPart
     from pylmp.model.simulation import Simulation
 
 
@@ -31,8 +30,12 @@ class LeftOut:
         self.first = np.zeros(1, np.int64)
         self.rows = np.zeros(1, np.int32)
 
-    def build(self, sim: Simulation, by_tag: Ints) -> None:
-        atoms, n = sim.atoms, sim.atoms.n
+    def build(self, sim: Simulation, nobody: bool) -> None:
+        """nobody: the list leaves them out by itself."""
+        if nobody:
+            self.first = np.zeros(sim.atoms.n + 1, np.int64)
+            return
+        atoms, n, by_tag = sim.atoms, sim.atoms.n, sim.atoms.rows_by_tag()
         place = np.arange(atoms.max_special)
         ends = atoms.num_special[:n]
         kind = (place >= ends[:, :1]).astype(np.int64) + (place >= ends[:, 1:2])
@@ -46,6 +49,21 @@ class LeftOut:
         self.rows = np.append(other, 0).astype(np.int32)
 
 
+def closest_images(sim: Simulation, rows: Ints, partners: Ints) -> Ints:
+    """For each of rows the closest row, ghosts included, of the atom of row partners."""
+    atoms, total = sim.atoms, sim.atoms.total
+    order = np.argsort(atoms.tag[:total], kind="stable")  # the atom itself before its ghosts
+    tags = atoms.tag[:total][order]
+    begin, end = (np.searchsorted(tags, atoms.tag[partners], side) for side in ("left", "right"))
+    many = end - begin
+    begins = np.cumsum(many) - many
+    images = order[np.repeat(begin - begins, many) + np.arange(int(many.sum()))]
+    d = atoms.x[np.repeat(rows, many)] - atoms.x[images]
+    away = (d * d).sum(axis=1)
+    best = np.lexsort((np.arange(len(away)), away, np.repeat(np.arange(len(rows)), many)))
+    return np.asarray(images[best[begins]])
+
+
 class FastBonds:
     """Slots of bonds, at first[b] + 8 k + lane: entry k of a row of block b.
 
@@ -55,12 +73,12 @@ class FastBonds:
 
     misplaced = None
 
-    def __init__(self, sim: Simulation, part: BondPart) -> None:
+    def __init__(self, sim: Simulation, part: BondPart, left_out: LeftOut) -> None:
         self.part = part
         self.memory = part.memory
         self.fresh = False
         self.slots = 0
-        self.left_out = LeftOut()
+        self.left_out = left_out
         self._back = loops.copy_back(self.memory)
         zero = part.style.on_break == "zero"
         self._book = loops.booking(zero, self.memory, part.shifts, part.updates_special)
@@ -70,11 +88,12 @@ class FastBonds:
     def functions(self) -> list[Function]:
         return [self._back, self._book, self._clear]
 
-    def term(self, sim: Simulation, pair: PairPart | None) -> BondTerm:
+    def term(self, sim: Simulation, alone: Function) -> BondTerm:
+        """alone: the law of pairs that bonds take out again, None if there is no pair law."""
         part, style = self.part, self.part.style
         return BondTerm(
             part.law, part.table.shape[1], part.memory, style.velocity, sim.bond_types == 1, style.reference, part.can_break,
-            part.updates_special and pair is not None, pair.alone if style.subtract_pair and pair is not None else None,
+            part.updates_special and alone is not None, alone if style.subtract_pair else None,
             part.watch,
         )  # fmt: skip
 
@@ -82,15 +101,13 @@ class FastBonds:
         self.slots = slots
         room = slots + LANES
         self.to, self.kind, self.broken, self.noted = (np.zeros(room + 1, np.int32) for _ in range(4))
-        self.owner = np.full(room, -1, np.int32)
+        self.owner, self.home = np.full(room, -1, np.int32), np.full(room, -1, np.int32)
         self.memories = np.zeros(max(1, self.memory) * slots + LANES)
         self.first, self.depth = np.zeros(count + 1, np.int64), np.zeros(count + 1, np.int32)
 
-    def build(self, sim: Simulation) -> None:
-        """New slots, from what the atoms store. Raises ScriptError where a partner is nowhere."""
+    def build(self, sim: Simulation, filler: int) -> None:
+        """New slots, from what the atoms store; filler: the row of nobody. Raises ScriptError where a partner is nowhere."""
         atoms, n = sim.atoms, sim.atoms.n
-        by_tag = atoms.rows_by_tag()
-        self.left_out.build(sim, by_tag)
         rows, slots, partners = bond_pairs(sim, lambda kinds: (kinds > 0) & (self.part.mine[np.maximum(kinds, 0)] != 0))
         if (partners < 0).any():
             at = int(np.argmax(partners < 0))
@@ -105,10 +122,13 @@ class FastBonds:
         if sim.newton_bond:  # stored at one end
             rows, partners = np.concatenate([rows, partners]), np.concatenate([partners, rows])
             kinds, history = np.concatenate([kinds, kinds]), np.concatenate([history, history])
-        self._lay_out(n, rows, partners, kinds, history)
+        self._lay_out(n, rows, partners, kinds, history, filler)
+        if atoms.ghosts:
+            used = np.flatnonzero(self.owner >= 0)
+            self.to[used] = 3 * closest_images(sim, self.owner[used].astype(np.int64), self.home[used].astype(np.int64))
         self.fresh = True
 
-    def _lay_out(self, n: int, rows: Ints, partners: Ints, kinds: Ints, history: Floats) -> None:
+    def _lay_out(self, n: int, rows: Ints, partners: Ints, kinds: Ints, history: Floats, filler: int) -> None:
         count = blocks(n)
         held = np.bincount(rows, minlength=LANES * count)
         depth = held.reshape(count, LANES).max(axis=1) if count else np.zeros(0, np.int64)
@@ -119,8 +139,8 @@ class FastBonds:
         rows = rows[order]
         nth = np.arange(len(rows)) - np.repeat(np.cumsum(held) - held, held)
         at = first[rows // LANES] + LANES * nth + rows % LANES
-        self.to[:] = 3 * nobody(n)
-        self.to[at], self.kind[at], self.owner[at] = 3 * partners[order], kinds[order], rows
+        self.to[:] = 3 * filler
+        self.to[at], self.kind[at], self.owner[at], self.home[at] = 3 * partners[order], kinds[order], rows, partners[order]
         for k in range(self.memory):
             self.memories[k * self.slots : (k + 1) * self.slots] = 1.0
             self.memories[k * self.slots + at] = history[order, k]
@@ -143,36 +163,41 @@ class FastBonds:
         atoms, part = sim.atoms, self.part
         if part.recorder is not None:
             self._record(sim, self.broken[:count])
-        gone = kernel(self._book).bind(
+        kernel(self._book).bind(
             self.broken, count, self.owner, self.to, atoms.tag, atoms.num_bond, atoms.bond_type, atoms.bond_atom, atoms.bond_history,
             atoms.bond_per_atom, atoms.num_special, atoms.special, atoms.max_special, self.left_out.first, self.left_out.rows,
         )()  # fmt: skip
+        if part.updates_special:
+            sim.lists.occasional.forget_own()
         if part.style.on_break != "zero":
-            sim.bonds -= int(gone)
+            sim.bonds -= int(np.count_nonzero(self._lower(self.broken[:count])))
 
     def report(self, sim: Simulation) -> None:
         """What the style says of the noted bonds: a warning, or a ScriptError. By rows, each bond once."""
         count = int(self.noted[0])
         if self.part.style.report is not None and count:
             at = self.noted[1 : 1 + count]
-            at = at[self.owner[at] < self.to[at] // 3]
+            at = at[self._lower(at)]
             at = at[np.argsort(self.owner[at], kind="stable")]
             self.part.style.report(sim, self.part, self._ends(at))
 
     def _record(self, sim: Simulation, broken: NDArray[np.int32]) -> None:
+        broken = broken[np.argsort(np.minimum(self.owner[broken], self.home[broken]), kind="stable")]
         for p in broken:
             i, j = int(self.owner[p]), int(self.to[p]) // 3
-            if i < j:
-                i, j = (i, j) if sim.atoms.tag[i] < sim.atoms.tag[j] else (j, i)
+            if sim.atoms.tag[i] < sim.atoms.tag[j]:
                 self.part.recorder.record(sim, i, j)
+
+    def _lower(self, at: NDArray[Any]) -> NDArray[np.bool_]:
+        """Which of these slots, one at each end of a bond, are those at the lower row."""
+        return np.asarray(self.owner[at] < self.home[at])
 
     # ---- as the exact engine's lists show themselves: each bond once ------------------------------------------------
 
     @property
     def _once(self) -> Ints:
         """Slots of bonds that hold, those at the lower row."""
-        owner, to = self.owner[: self.slots], self.to[: self.slots] // 3
-        return np.flatnonzero((self.kind[: self.slots] > 0) & (owner < to))
+        return np.flatnonzero((self.kind[: self.slots] > 0) & self._lower(np.arange(self.slots)))
 
     @property
     def count(self) -> int:

@@ -3,30 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from itertools import chain
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pylmp.engines.fast_bonds import FastBonds
+from pylmp.engines.fast_bonds import FastBonds, LeftOut
 from pylmp.engines.fast_list import FullList
+from pylmp.engines.ghost_list import GhostList
+from pylmp.kernels.exact import SHARES
 from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.fast import FAR, blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
 from pylmp.kernels.fast.driver import drive
-from pylmp.kernels.fast.forces import TALLIES, PairTerm, force_loop
+from pylmp.kernels.fast.forces import TALLIES, force_loop
 from pylmp.kernels.fast.renewal import hold, look_out, renew
+from pylmp.kernels.fast.terms import BondTerm, PairTerm, idle, joined
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel, prepare
-from pylmp.model.asking import ENERGY, VIRIAL
+from pylmp.model.asking import ENERGY, SHARED, VIRIAL, level_of, levels
 from pylmp.model.bondlist import store_reference
 from pylmp.model.lost import check_bonded
 
 if TYPE_CHECKING:
     from pylmp.kernels.kinds import Function
+    from pylmp.model.atoms import Floats
+    from pylmp.model.pair import PairPart
     from pylmp.model.simulation import Simulation
 
 Call = Callable[[], float]
 Step = tuple[Call, float, float]
+
+
+def table_of(parts: list[PairPart]) -> tuple[Floats, list[int]]:
+    """(nt+1, nt+1, width) what the joined law of parts receives, and how much of it each of them."""
+    tables = [part.table for part in parts] or [np.zeros((8, 8, 0))]
+    return tables[0] if len(tables) == 1 else np.concatenate(tables, axis=2), [part.width for part in parts]
 
 
 class FastForces:
@@ -36,21 +48,27 @@ class FastForces:
     bonds: the listing of the bond style, in a list as the exact engine has them; lists: the neighbor list, None without a pair law
     """
 
-    def __init__(self, sim: Simulation) -> None:
-        parts = sim.pair.working if sim.pair else []
-        self.pair = parts[0] if parts and parts[0].settings.compute else None
-        self.bonds = [FastBonds(sim, part) for part in (sim.bond.parts if sim.bond else [])]
-        self.lists = FullList(sim) if self.pair is not None and sim.neighbor_cutoff > 0.0 else None
-        term = PairTerm(self.pair.law, self.pair.width, self.pair.style.velocity, sim.atom_types == 1) if self.pair else None
-        bond = self.bonds[0].term(sim, self.pair) if self.bonds else None
-        self._kernels = [force_loop(term, bond, sim.box.periodic, tally) for tally in (False, True)]
+    def __init__(self, sim: Simulation, ghosts: bool = False) -> None:
+        self._ghosts = ghosts
+        self.left_out = LeftOut()
+        self.bonds = [FastBonds(sim, part, self.left_out) for part in (sim.bond.parts if sim.bond else [])]
+        listing = sim.pair is not None and sim.neighbor_cutoff > 0.0
+        self.lists: Any = (GhostList if ghosts else FullList)(sim) if listing else None
+        self.parts = [part for part in sim.pair.working if part.settings.compute] if sim.pair and listing else []
+        self._table, self._width = table_of(self.parts)
+        self._kernels = {level: self._compose(sim, level) for level in levels(sim)}
+        self._single = self._compose_parts(sim) if len(self.parts) > 1 else []
         self._moved, self._extent, self._beyond = neighbor_loops.moved(), loops.extents(), look_out(sim.box.periodic)
         self._hold: Function = hold
-        self._calls: list[Call] = []
+        self._calls: dict[int, list[Call]] = {}
+        self._part_calls: list[Call] = []
+        self._shares = np.zeros((2, 0, SHARES))
+        self._scrap = self._bound_to = np.zeros((0, 3))
         self._may_break = np.zeros(1, np.int64)
-        self._reports = bool(self.bonds) and self.bonds[0].part.style.report is not None
+        self._reports = any(listed.part.style.report is not None for listed in self.bonds)
         self._moved_call: Call = lambda: 0.0
-        self._sums = np.zeros(TALLIES)
+        self._sums = np.zeros((max(1, len(self.bonds)), TALLIES))
+        self._part_sums = np.zeros((len(self._single), TALLIES))
         self._kinds = np.zeros(0, np.int32)
         self.least, self.most = np.zeros(3), np.zeros(3)
         self._scratch = np.zeros(6 * LANES)
@@ -60,9 +78,36 @@ class FastForces:
         self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
         self._laid_out = False  # types and bonds, for the rows as they now are
 
+    def _compose(self, sim: Simulation, level: int) -> list[Function]:
+        """A loop for each bond style, the first one over pairs too."""
+        alone = joined([part.alone for part in self.parts], self._width) if self.parts else None
+        term = self._pair_term(sim, self.parts)
+        periodic = (False, False, False) if self._ghosts else sim.box.periodic
+        weighted = self.lists is not None and self.lists.weighted
+        bonds: list[BondTerm | None] = [*(listed.term(sim, alone) for listed in self.bonds)] or [None]
+        return [
+            force_loop(term, bond, periodic, level, listed=k == 0, weighted=weighted, adds=k > 0) for k, bond in enumerate(bonds)
+        ]
+
+    def _compose_parts(self, sim: Simulation) -> list[Function]:
+        """Of several pair styles, a loop for each that sums its energy alone."""
+        periodic = (False, False, False) if self._ghosts else sim.box.periodic
+        instead = BondTerm(idle, 0, 0, False, True, False, False, True, None, None)
+        bond = instead if self.bonds and self.bonds[0].part.updates_special else None
+        return [force_loop(self._pair_term(sim, [part]), bond, periodic, 1, weighted=self.lists.weighted) for part in self.parts]
+
+    @staticmethod
+    def _pair_term(sim: Simulation, parts: list[PairPart]) -> PairTerm | None:
+        if not parts:
+            return None
+        widths = [part.width for part in parts]
+        law = joined([part.law for part in parts], widths)
+        return PairTerm(law, sum(widths), any(part.style.velocity for part in parts), sim.atom_types == 1)
+
     def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
         """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""
-        functions = [*self._kernels, self._moved, self._extent, self._beyond, *sim.box.functions(), self._hold, renew, drive, *more]
+        functions = [*chain(*self._kernels.values()), *self._single, self._moved, self._extent, self._beyond, *sim.box.functions(), self._hold]
+        functions += [renew, drive, *more]
         for listed in self.bonds:
             functions += listed.functions()
         if self.lists is not None:
@@ -95,26 +140,27 @@ class FastForces:
         """Atoms have changed places, or some are gone."""
         self._laid_out = False
 
-    def rebuild(self, sim: Simulation) -> None:
-        """A new neighbor list; bind the kernels to the arrays as they now are."""
-        atoms, n = sim.atoms, sim.atoms.n
-        atoms.reserve(nobody(n) + LANES)
-        atoms.x[n : nobody(n)] = FAR
-        atoms.x[nobody(n)] = -FAR
-        atoms.v[n : nobody(n) + 1] = 0.0
-        if not self._laid_out:
+    def rebuild(self, sim: Simulation, cutoff: float = 0.0) -> None:
+        """A new neighbor list; bind the kernels to the arrays as they now are. cutoff: of ghosts, whose rows are behind those of the atoms."""
+        atoms, n, total = sim.atoms, sim.atoms.n, sim.atoms.total
+        atoms.reserve(max(total, nobody(n)) + LANES)
+        filler = self._fill(sim)
+        if self._ghosts or not self._laid_out:
             self._laid_out = True
             self._kinds = np.ones(3 * atoms.capacity, np.int32)
-            self._kinds[: 3 * n : 3] = atoms.type[:n]
+            self._kinds[: 3 * total : 3] = atoms.type[:total]
+            self.left_out.build(sim, nobody=self._ghosts)
             for listed in self.bonds:
                 if not listed.part.stored:
                     store_reference(sim, listed.part)
-                listed.build(sim)
+                listed.build(sim, filler)
         else:
             for listed in self.bonds:
                 listed.forgetting()()
-        if self.lists is not None:
-            self.lists.build(sim, self.bonds[0].left_out if self.bonds else None, self.least, self.most)
+        if self._ghosts and self.lists is not None:
+            self.lists.build(sim, filler)
+        elif self.lists is not None:
+            self.lists.build(sim, self.left_out, self.least, self.most)
         check_bonded(sim)
         if len(self._held) != n:
             self._held = np.zeros((n, 3))
@@ -124,59 +170,110 @@ class FastForces:
         self._moving_faces = sim.box.changing and any(sim.box.periodic[: sim.dimension])
         self._bind(sim)
 
+    @staticmethod
+    def _fill(sim: Simulation) -> int:
+        """Rows behind the atoms: far from everybody, one of them, which is returned, from the others too."""
+        atoms = sim.atoms
+        filler = max(atoms.total, nobody(atoms.n))
+        atoms.x[atoms.total : filler] = FAR
+        atoms.x[filler] = -FAR
+        atoms.v[atoms.total : filler + 1] = 0.0
+        return filler
+
+    def fill_rows(self, sim: Simulation) -> bool:
+        """Others used rows behind the atoms; False: and they moved the arrays."""
+        self._fill(sim)
+        if self._bound_to is sim.atoms.x:
+            return True
+        self._bind(sim)
+        return False
+
     def _bind(self, sim: Simulation) -> None:
         atoms = sim.atoms
-        lists, bonds = self.lists, self.bonds[0] if self.bonds else None
+        self._bound_to = atoms.x
+        rows = nobody(atoms.n)
+        if 2 in self._kernels and self._shares.shape[1] != rows:
+            self._shares = np.zeros((2, rows, SHARES))
+        if self._single and len(self._scrap) < rows + 1:
+            self._scrap = np.zeros((rows + 1, 3))
+        self._calls = {
+            level: [self._bound(sim, function, k, self._sums[k], atoms.f) for k, function in enumerate(functions)]
+            for level, functions in self._kernels.items()
+        }
+        self._part_calls = [
+            self._bound(sim, function, 0, sums, self._scrap, part) for function, sums, part in zip(self._single, self._part_sums, self.parts, strict=False)
+        ]
+        self._limit2[0] = 0.25 * sim.neighbor.skin * sim.neighbor.skin
+        self._moved_call = kernel(self._moved).bind(atoms.x, self._held, self._limit2, atoms.n)
+
+    def _bound(self, sim: Simulation, function: Function, k: int, sums: Floats, f: Floats, part: PairPart | None = None) -> Call:
+        """The k-th loop, bound; part: of this one alone."""
+        atoms, lists, bonds = sim.atoms, self.lists, self.bonds[k] if self.bonds else None
         whole, small, tiny, number = self._nothing
-        table = self.pair.table if self.pair else number
-        listing = (lists.first, lists.depth, lists.edges, lists.neighbors) if lists else (whole, small, tiny, small)
+        listing = (lists.first, lists.depth, lists.edges, lists.neighbors, lists.weights) if lists else (whole, small, tiny, small, number)
+        table = self._table if part is None else part.table
         listed = (
             (bonds.first, bonds.depth, bonds.to, bonds.kind, bonds.memories, bonds.slots, bonds.part.table)
             if bonds
             else (whole, small, small, small, number, 0, number)
         )
-        self._calls = [
-            kernel(function).bind(
-                atoms.x, atoms.v, atoms.f, self._kinds, *listing, table, len(table), *listed, self._length, self._sums,
-                *((bonds.broken, bonds.noted) if bonds else (small, small)), self._may_break, 0, blocks(atoms.n),
-            )
-            for function in self._kernels
-        ]  # fmt: skip
-        self._limit2[0] = 0.25 * sim.neighbor.skin * sim.neighbor.skin
-        self._moved_call = kernel(self._moved).bind(atoms.x, self._held, self._limit2, atoms.n)
+        return kernel(function).bind(
+            atoms.x, atoms.v, f, self._kinds, *listing, table, len(table), *listed, self._length, sums, *self._shares,
+            *((bonds.broken, bonds.noted) if bonds else (small, small)), self._may_break, 0, blocks(atoms.n),
+        )  # fmt: skip
 
     # ---- every step -------------------------------------------------------------------------------------------
 
     def able(self, wanted: int) -> int:
-        return wanted & (ENERGY | VIRIAL)
+        """What of wanted this run can sum: shares of atoms only if a compute asked for them when it was set up, as in LAMMPS."""
+        return wanted if SHARED in self._kernels else wanted & (ENERGY | VIRIAL)
 
     def evaluate(self, sim: Simulation, wanted: int, setup: bool) -> None:
         """Forces, and what is wanted besides; then what breaks is booked."""
         if self._moving_faces:
             self._length[:] = sim.box.length
-        self._may_break[0] = not setup or (bool(self.bonds) and self.bonds[0].part.style.breaks_in_setup)
-        broken = int(self._calls[wanted != 0]())
-        if wanted:
-            sums = self._sums.tolist()
-            sim.tally.pair, sim.tally.bond = sums[0] + sums[2], sums[1]
-            sim.tally.pair_virial[:] = sums[3:9]
-            sim.tally.bond_virial[:] = sums[9:]
-        if self._reports:
-            self.bonds[0].report(sim)
-        if broken:
-            self.book(sim, broken)
+        if len(self.parts) > 1:  # fix adapt may have changed coefficients
+            self._table[:] = np.concatenate([part.table for part in self.parts], axis=2)
+        level = level_of(wanted) if wanted else 0
+        for call in self._part_calls if level else ():  # before bonds break
+            call()
+        for k, call in enumerate(self._calls[level]):
+            listed = self.bonds[k] if self.bonds else None
+            self._may_break[0] = not setup or (listed is not None and listed.part.style.breaks_in_setup)
+            broken = int(call())
+            if listed is not None and listed.part.style.report is not None:
+                listed.report(sim)
+            if broken:
+                self.book(sim, broken, k)
+        if level:
+            self._sum(sim, level)
+
+    def _sum(self, sim: Simulation, level: int) -> None:
+        if level == SHARED:
+            n = sim.atoms.n
+            sim.tally.pair_shares, sim.tally.bond_shares = shares = self._shares[:, :n].copy()
+            (pair, *pair_virial), (bond, *bond_virial) = shares.sum(axis=1).tolist()
+        else:
+            sums = self._sums.sum(axis=0).tolist()
+            pair, bond, pair_virial, bond_virial = sums[0] + sums[2], sums[1], sums[3:9], sums[9:]
+        sim.tally.pair, sim.tally.bond = pair, bond
+        sim.tally.pair_virial[:] = pair_virial
+        sim.tally.bond_virial[:] = bond_virial
+        for part, energy in zip(self.parts, self._part_sums[:, 0].tolist() if self._single else [self._sums[0, 0]], strict=False):
+            part.energy = float(energy)
 
     def quiet(self) -> tuple[Call, Call] | None:
         """The test who has moved and the forces without tallies, bound; None: there is more to do in a step."""
-        return None if self._reports or self._moving_faces else (self._moved_call, self._calls[0])
+        calls = self._calls[0]
+        return None if self._reports or self._moving_faces or len(calls) > 1 else (self._moved_call, calls[0])
 
     def may_break(self) -> None:
         """From now on bonds may break."""
         self._may_break[0] = 1
 
-    def book(self, sim: Simulation, count: int) -> None:
-        """Bonds broke in the last evaluation: count slots."""
-        self.bonds[0].book(sim, count)
+    def book(self, sim: Simulation, count: int, k: int = 0) -> None:
+        """Bonds of the k-th style broke in the last evaluation: count slots."""
+        self.bonds[k].book(sim, count)
 
     def anybody_moved(self, sim: Simulation) -> bool:
         """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""

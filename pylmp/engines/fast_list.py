@@ -63,6 +63,7 @@ class FullList:
         """Entries that the log reports: each pair once."""
         return self.count // 2
 
+    weighted, weights = False, np.zeros((1, 1))
     full = whole = None  # a list that computes could look at: none
 
     def build(self, sim: Simulation, left_out: LeftOut | None, least: Floats, most: Floats) -> None:

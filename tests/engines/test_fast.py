@@ -132,18 +132,19 @@ def test_any_number_of_atoms(count: int, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "reason"),
     [
-        ("special_bonds lj/coul 0.5 1 1", "special_bonds weights between 0 and 1"),
-        ("pair_style lj/cut 6.0\npair_coeff * * 1 1", "a periodic box narrower than twice the neighbor cutoff"),
-        ("compute s all stress/atom NULL", "a compute of energy or stress per atom"),
-        ("change_box all triclinic", "a triclinic box"),
-        ("fix d all deform 1 x erate 0.01 remap v", "fix deform remap v"),
-        ("neigh_modify exclude type 1 2", "neigh_modify exclude"),
-        ("pair_style hybrid lj/cut 1.3\npair_coeff * * lj/cut 1 1", "several pair styles"),
+        ("bond_style bpm/spring volume/factor yes\nbond_coeff * 60 0.15 0.8 0.5", "bond_style bpm/spring volume/factor yes"),
+        ("special_bonds lj/coul 0.5 0.5 1\npair_style hybrid lj/cut 1.3 soft 1.0\npair_coeff 1 * lj/cut 1 1\npair_coeff 2 2 soft 9.0\npair_modify pair soft special lj 0 0.5 1", "pair_modify special"),
+        (
+            "special_bonds lj/coul 1 1 1\nbond_style hybrid quartic bpm/spring/plastic overlay/pair yes\nbond_coeff 1 quartic 1200 -0.55 0.25 1.5 34.7\n"
+            "bond_coeff 2 bpm/spring/plastic 60 0.15 0.8 0.02",
+            "what LAMMPS mixes up of bond_style bpm/spring/plastic under hybrid in the first run",
+        ),
     ],
 )
 def test_says_why_not(line: str, reason: str, tmp_path: Path) -> None:
     """What the fast engine lacks, the exact one carries out, and the log says so."""
-    text = script("lj", "harmonic") + line + "\nrun 1\n"
+    newton = "on on" if "quartic" in line else "on off"
+    text = script("lj", "harmonic", newton=newton) + "special_bonds lj 0 1 1 coul 1 1 1\n" + line + "\nrun 1\n"
     fast, screen = simulate(text, tmp_path / "fast", Fast())
     assert f"Engine exact for this run: engine fast lacks {reason}" in screen
     exact, _ = simulate(text, tmp_path / "exact")

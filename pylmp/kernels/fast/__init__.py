@@ -33,6 +33,15 @@ def places(block: int) -> Any:
     return count_up(LANES * block, LANES) * splat_whole(3, LANES)
 
 
+def weight(weights, k):  # type: ignore[no-untyped-def]
+    """Weights of eight entries of a neighbor list."""
+    return load(weights, k, LANES)
+
+
+def no_weight(weights, k):  # type: ignore[no-untyped-def]
+    return 1.0
+
+
 def columns(width: int) -> Callable[[Any, Any], tuple[Any, ...]]:
     """A function that gathers width consecutive numbers of a table for each lane: a tuple of vectors."""
     if width == 0:

@@ -48,15 +48,12 @@ def booking(zero: bool, memory: int, shifts: bool, special: bool) -> Function:
         broken: "i4*", count: "i8", owner: "i4*", bond_to: "i4*", tag: "i8*", num_bond: "i8*", bond_type: "i8*", bond_atom: "i8*",
         bond_history: "f8*", wide: "i8", num_special: "i8*", special_: "i8*", most: "i8", left_first: "i8*", left_out: "i4*",
     ) -> "f8":
-        """broken: slots, one at each end of a bond. Returns how many bonds went."""
-        bonds = 0
+        """broken: slots, one at each end of a bond."""
         for k in range(count):
             p = int(broken[k])
             i = int(owner[p])
             j = int(bond_to[p]) // 3
             partner = tag[j]
-            if i < j:
-                bonds += 1
             for q in range(num_bond[i]):
                 if bond_atom[i * wide + q] == partner:
                     if zero:
@@ -78,7 +75,7 @@ def booking(zero: bool, memory: int, shifts: bool, special: bool) -> Function:
                 for q in range(left_first[i], left_first[i + 1]):
                     if left_out[q] == j:
                         left_out[q] = i
-        return float(bonds)
+        return 0.0
 
     return book
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
-from pylmp.kernels.exact import row
-from pylmp.kernels.fast import columns, places, recalling, remembering
+from pylmp.kernels.exact import SHARES, row
+from pylmp.kernels.fast import columns, no_weight, places, recalling, remembering, weight
+from pylmp.kernels.fast.terms import BondTerm, PairTerm
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import (
     LANES,
@@ -27,43 +27,21 @@ from pylmp.laws import select, sqrt
 TALLIES = 15  # pair energy, bond energy, pair energy that bonds take out, virials of pairs and of bonds: xx yy zz xy xz yz
 
 
-@dataclass(frozen=True)
-class PairTerm:
-    """law(r2, dot, factor, c) -> (force over r, energy), c of width numbers. one_type: they are the same for all."""
+def force_loop(
+    pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[bool, bool, bool], level: int,
+    *, listed: bool = True, weighted: bool = False, adds: bool = False,
+) -> Function:  # fmt: skip
+    """Compose the kernel of one scene.
 
-    law: Function
-    width: int
-    velocity: bool
-    one_type: bool
-
-
-@dataclass(frozen=True)
-class BondTerm:
-    """law(r2, dot, history, c) -> (force over r, energy, history, alive).
-
-    memory      numbers a bond remembers; reference: the first is the length at the first evaluation
-    can_break   the law may say that a bond is not alive
-    instead     a broken bond's atoms interact as a pair from the next step on
-    alone       the pair law that acts no longer between bonded atoms, or None: it is taken out again
-    watch       None, or watch(r2, c) -> this bond must be reported
+    periodic  images are found from the positions; False where ghosts stand for them
+    level     0: forces alone, 1: energy and virial too, 2: instead each atom's share of them
+    listed    walk the neighbor list; else the pair law is there for bonds that need it
+    weighted  each entry of the neighbor list has a weight
+    adds      forces and shares are added to what others left there
     """
-
-    law: Function
-    width: int
-    memory: int
-    velocity: bool
-    one_type: bool
-    reference: bool
-    can_break: bool
-    instead: bool
-    alone: Function
-    watch: Function
-
-
-def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[bool, bool, bool], tally: bool) -> Function:
-    """Compose the kernel of one scene."""
     px, py, pz = periodic
-    paired, bonded = pair is not None, bond is not None
+    paired, bonded = pair is not None and listed, bond is not None
+    tally, share = level > 0, level > 1
     pair = pair or PairTerm(None, 0, False, True)
     bond = bond or BondTerm(None, 0, 0, False, True, False, False, False, None, None)
     pair_law, pair_width, pair_velocity, one_type = pair.law, pair.width, pair.velocity, pair.one_type
@@ -74,19 +52,36 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
     pair_row, pair_columns = row(pair_width), columns(pair_width)
     bond_row, bond_columns = row(bond_width), columns(bond_width)
     recall, remember = recalling(memory), remembering(memory)
-    kinds_needed = (paired and not one_type) or subtract
+    kinds_needed = ((paired or instead) and not one_type) or subtract
 
     def for_types(law: Function) -> Function:
         """The law of pairs, with the coefficients of their types: c where all are alike."""
 
-        def evaluate(r2, dot, ti, j, kinds, table, types, c):
+        def evaluate(r2, dot, factor, ti, j, kinds, table, types, c):
             if one_type:
-                return law(r2, dot, 1.0, c)
-            return law(r2, dot, 1.0, pair_columns(table, (ti * types + gather(kinds, j, 0)) * pair_width))
+                return law(r2, dot, factor, c)
+            return law(r2, dot, factor, pair_columns(table, (ti * types + gather(kinds, j, 0)) * pair_width))
 
         return evaluate
 
+    factor_at = weight if weighted else no_weight
     of_pair, of_alone = for_types(pair_law), for_types(alone)
+
+    def give(shares, at, k, value):
+        """Half of a value is the row's share."""
+        value = 0.5 * value
+        if adds:
+            value = value + gather(shares, at, k)
+        scatter(shares, at, k, value)
+
+    def give_all(shares, at, e, xx, yy, zz, xy, xz, yz):
+        give(shares, at, 0, e)
+        give(shares, at, 1, xx)
+        give(shares, at, 2, yy)
+        give(shares, at, 3, zz)
+        give(shares, at, 4, xy)
+        give(shares, at, 5, xz)
+        give(shares, at, 6, yz)
 
     def fold(d: Any, length: float) -> Any:
         """The nearest periodic image."""
@@ -94,12 +89,13 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
         return select(d < -0.5 * length, d + length, d)
 
     def forces(
-        x: "f8*", v: "f8*", f: "f8*", kinds: "i4*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", table: "f8*",
+        x: "f8*", v: "f8*", f: "f8*", kinds: "i4*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", weights: "f8*", table: "f8*",
         types: "i8", bond_first: "i8*", bond_depth: "i4*", bond_to: "i4*", bond_kind: "i4*", history: "f8*", slots: "i8",
-        bond_table: "f8*", lengths: "f8*", sums: "f8*", broken: "i4*", noted: "i4*", may_break: "i8*",
+        bond_table: "f8*", lengths: "f8*", sums: "f8*", pair_shares: "f8*", bond_shares: "f8*", broken: "i4*", noted: "i4*", may_break: "i8*",
         begin: "i8", end: "i8",
     ) -> "f8":
-        """Set f in the rows of blocks begin to end; sums (TALLIES,) is set when tallying.
+        """Set f in the rows of blocks begin to end; sums (TALLIES,) is set at level 1, shares (rows, SHARES) of the
+        atoms at level 2.
 
         may_break[0]: 0 where no bond may. kinds: types of atoms, kinds[3 i] of row i. bond_kind: type of each slot, 0 none, below 0 broken since the last list. broken:
         slots of bonds that broke, one at each end. noted: how many bonds must be reported, then their slots. Returns how many broke.
@@ -164,7 +160,7 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                     if pair_velocity:
                         uj, vj, wj = gather_rows(v, j)
                         dot = dx * (ui - uj) + dy * (vi - vj) + dz * (wi - wj)
-                    force, e = of_pair(r2, dot, ti, j, kinds, table, types, c)
+                    force, e = of_pair(r2, dot, factor_at(weights, k), ti, j, kinds, table, types, c)
                     gx = dx * force
                     gy = dy * force
                     gz = dz * force
@@ -238,7 +234,7 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                         byz = byz + dy * dz * force
                     other = splat(0.0, LANES)
                     if subtract:
-                        other, e = of_alone(r2, dot, ti, j, kinds, table, types, c)
+                        other, e = of_alone(r2, dot, 1.0, ti, j, kinds, table, types, c)
                         other = select(active, -other, 0.0)
                         e = select(active, -e, 0.0)
                         if tally:
@@ -246,7 +242,7 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                     if instead:
                         before = kind < 0
                         if some(before):
-                            other, e = of_pair(r2, dot, ti, j, kinds, table, types, c)
+                            other, e = of_pair(r2, dot, 1.0, ti, j, kinds, table, types, c)
                             other = select(before, other, 0.0)
                             if tally:
                                 pe = pe + select(before, e, 0.0)
@@ -262,12 +258,21 @@ def force_loop(pair: PairTerm | None, bond: BondTerm | None, periodic: tuple[boo
                     fx = fx + dx * force
                     fy = fy + dy * force
                     fz = fz + dz * force
+            if adds:
+                fx, fy, fz = fx + gather(f, i, 0), fy + gather(f, i, 1), fz + gather(f, i, 2)
             scatter(f, i, 0, fx)
             scatter(f, i, 1, fy)
             scatter(f, i, 2, fz)
+            if share:
+                at = count_up(LANES * b, LANES) * splat_whole(SHARES, LANES)
+                give_all(pair_shares, at, pe + te, pxx, pyy, pzz, pxy, pxz, pyz)
+                give_all(bond_shares, at, be, bxx, byy, bzz, bxy, bxz, byz)
+                pe = be = te = splat(0.0, LANES)
+                pxx = pyy = pzz = pxy = pxz = pyz = splat(0.0, LANES)
+                bxx = byy = bzz = bxy = bxz = byz = splat(0.0, LANES)
         if watched:
             noted[0] = notes
-        if tally:  # each pair was met at both ends
+        if tally and not share:  # each pair was met at both ends
             sums[0] = 0.5 * total(pe)
             sums[1] = 0.5 * total(be)
             sums[2] = 0.5 * total(te)

@@ -1,0 +1,60 @@
+"""What a force loop of the fast engine is made of: the laws of pairs and of bonds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from pylmp.kernels.kinds import Function
+
+
+@dataclass(frozen=True)
+class PairTerm:
+    """law(r2, dot, factor, c) -> (force over r, energy), c of width numbers. one_type: they are the same for all."""
+
+    law: Function
+    width: int
+    velocity: bool
+    one_type: bool
+
+
+@dataclass(frozen=True)
+class BondTerm:
+    """law(r2, dot, history, c) -> (force over r, energy, history, alive).
+
+    memory      numbers a bond remembers; reference: the first is the length at the first evaluation
+    can_break   the law may say that a bond is not alive
+    instead     a broken bond's atoms interact as a pair from the next step on
+    alone       the pair law that acts no longer between bonded atoms, or None: it is taken out again
+    watch       None, or watch(r2, c) -> this bond must be reported
+    """
+
+    law: Function
+    width: int
+    memory: int
+    velocity: bool
+    one_type: bool
+    reference: bool
+    can_break: bool
+    instead: bool
+    alone: Function
+    watch: Function
+
+
+def idle(r2: Any, dot: Any, history: Any, c: Any) -> Any:
+    """The law of a bond that does nothing."""
+    return r2 * 0.0, r2 * 0.0, (), r2 == r2
+
+
+def joined(laws: list[Function], widths: list[int]) -> Function:
+    """One law for several that act side by side; c holds what each receives, one behind the other."""
+    if len(laws) == 1:
+        return laws[0]
+    rest, last, at = joined(laws[:-1], widths[:-1]), laws[-1], sum(widths[:-1])
+
+    def law(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
+        force, energy = rest(r2, dot, factor, c[:at])
+        more_force, more_energy = last(r2, dot, factor, c[at:])
+        return force + more_force, energy + more_energy
+
+    return law
