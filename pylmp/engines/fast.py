@@ -71,7 +71,7 @@ class Fast:
         if not plan.setup and isinstance(sim.lists, Run):
             return self._exact.run(sim, scene, plan)
         if lacking := obstacles(sim):
-            sim.console.both(f"Engine exact for this run: engine fast lacks {', '.join(lacking)}\n")
+            self._say(sim, ", ".join(lacking))
             return self._exact.run(sim, scene, plan)
         sim.lists = GhostRun(sim) if wants_ghosts(sim) else FastRun(sim)
         if self._announcer:
@@ -81,10 +81,16 @@ class Fast:
         return report
 
     def minimize(self, sim: Simulation, scene: Scene, plan: MinPlan) -> tuple[RunReport, MinReport]:
+        self._say(sim, "minimize")
         return self._exact.minimize(sim, scene, plan)
 
     def replay(self, sim: Simulation, scene: Scene, frames: Iterator[None]) -> RunReport:
+        self._say(sim, "rerun")
         return self._exact.replay(sim, scene, frames)
+
+    @staticmethod
+    def _say(sim: Simulation, lacking: str) -> None:
+        sim.console.both(f"Engine exact for this run: engine fast lacks {lacking}\n")
 
 
 class NoGhosts:

@@ -167,10 +167,11 @@ class FastBonds:
             self.broken, count, self.owner, self.to, atoms.tag, atoms.num_bond, atoms.bond_type, atoms.bond_atom, atoms.bond_history,
             atoms.bond_per_atom, atoms.num_special, atoms.special, atoms.max_special, self.left_out.first, self.left_out.rows,
         )()  # fmt: skip
+        gone = self.broken[:count]
         if part.updates_special:
-            sim.lists.occasional.forget_own()
+            sim.lists.occasional.broke(sim, atoms.tag[np.stack([self.owner[gone], self.home[gone]])])
         if part.style.on_break != "zero":
-            sim.bonds -= int(np.count_nonzero(self._lower(self.broken[:count])))
+            sim.bonds -= int(np.count_nonzero(self._lower(gone)))
 
     def report(self, sim: Simulation) -> None:
         """What the style says of the noted bonds: a warning, or a ScriptError. By rows, each bond once."""

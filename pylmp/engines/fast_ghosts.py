@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from pylmp.engines.exact import Run
 from pylmp.engines.fast_forces import FastForces
+from pylmp.engines.guests import FastLists
 from pylmp.model.engine import RunReport
 from pylmp.model.fix import hooks
 from pylmp.model.ghosts import Ghosts
+from pylmp.model.occasional import Occasional
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
@@ -35,6 +37,9 @@ class GhostRun(Run):
     @staticmethod
     def _field(sim: Simulation) -> tuple[Any, Any]:
         return Ghosts(sim), FastForces(sim, ghosts=True)
+
+    def _lists_of_computes(self, sim: Simulation) -> Occasional:
+        return FastLists(sim)
 
     def _forces(self, wanted: int, setup: bool) -> None:
         sim, timers = self.sim, self.timers

@@ -58,10 +58,6 @@ class Occasional:
         """The run's list was rebuilt."""
         self._current.clear()
 
-    def forget_own(self) -> None:
-        """Bonds broke whose atoms interact as pairs from now on: the run's own list knows that at once."""
-        self._current.discard(Wish())
-
     @property
     def full_count(self) -> int | None:
         """Entries of a full list when it was last built; None without one."""

@@ -41,7 +41,8 @@ def test_the_log_says_who(switches: tuple[str, ...], engine: str, tmp_path: Path
 
 
 def test_the_log_says_why_not(tmp_path: Path) -> None:
-    said = log(tmp_path, SCRIPT + "neighbor 0.3 nsq\nrun 1\n")
+    said = log(tmp_path, SCRIPT + "minimize 0 0 2 9\nrun 1\n")
     parts = said.split("Loop time")
     assert "Engine fast: " in parts[0]
-    assert "Engine exact for this run: engine fast lacks neighbor nsq\nEngine exact: " in parts[1]
+    assert "Engine exact for this run: engine fast lacks minimize\nEngine exact: " in parts[1]
+    assert "Engine fast: " in parts[2]

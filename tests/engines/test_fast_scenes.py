@@ -47,6 +47,7 @@ SCENES = {
     "shares of two kinds": ("lj", "harmonic", "p p p", "bond_style hybrid harmonic fene\nbond_coeff 1 harmonic 40 1.1\nbond_coeff 2 fene 20 2.2 1.0 1.0\n" + SHARES, False),
     "neighbors": ("lj", "harmonic", "p p p", LISTS, False),
     "neighbors of broken": ("lj", "quartic", "p s p", LISTS, False),
+    "neighbors of plastic": ("lj", "plastic", "p p p", LISTS, False),
     "neighbors in a tilted box": ("lj", "plastic", "p p p", "change_box all triclinic\nchange_box all xy final 1.0 remap\n" + LISTS, True),
     "shares in a tilted box": ("lj", "plastic", "p p p", "change_box all triclinic\nchange_box all xy final 1.0 remap\n" + SHARES, True),
 }  # fmt: skip
