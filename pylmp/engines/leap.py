@@ -33,6 +33,7 @@ class Leap:
         self._bound: list[Callable[[], float]] = []  # what the driver calls
         self._call: Callable[[], float] | None = None
         self._able: bool | None = None
+        self._pauses: list[int] = []  # on multiples of these a fix does more than call kernels
         self._drive: Function = driver.drive
 
     def forget(self) -> None:
@@ -42,9 +43,12 @@ class Leap:
     def go(self, run: FastRun, end: int) -> bool:
         """Advance to the step before the next event, or into the step end; False: there is nothing to leap over."""
         sim = run.sim
+        if not (self._able if self._able is not None else self._bind(run)):
+            return False
         events = [sim.output.due_step, *sim.asking.steps, *(fix.next_rebuild for fix in sim.fixes)]
+        events += [(sim.step // every + 1) * every for every in self._pauses]
         steps = min([end + 1, *(at for at in events if at > sim.step)]) - 1 - sim.step
-        if steps <= 0 or not (self._able if self._able is not None else self._bind(run)):
+        if steps <= 0:
             return False
         steps = min(steps, max(1, _ATOM_STEPS // max(1, sim.atoms.n)))
         self._leap(run, steps)
@@ -57,6 +61,7 @@ class Leap:
         plan[driver.STEPS], plan[driver.STAGE] = steps, driver.START
         run.forces.may_break()
         last = sim.step + steps
+        sim.ticks[0] = sim.step
         while True:
             plan[driver.AGO], plan[driver.DANGEROUS], plan[driver.BUILDS] = run.ago, run.dangerous, 0
             plan[driver.QUIET] = max(last + 1 - run.renewal.until, 0) if run.renewal.call else steps
@@ -83,11 +88,15 @@ class Leap:
         sim = run.sim
         first: list[Callable[[], float]] = []
         behind: list[Callable[[], float]] = []
+        self._pauses = []
         self._able = bool(clock()) and sim.timer.limit is None and not run.timers.full and not sim.timer.passed
         for name in STEP_HOOKS:
             for hook in run.hooks[name] if name not in _ELSEWHERE else ():
                 fix = hook.__self__
                 calls = fix.calls(sim, name)
+                if calls is None and name == "end_of_step" and fix.every > 1:
+                    self._pauses.append(fix.every)
+                    continue
                 if calls is None or (calls and name in ("pre_force", "end_of_step")):
                     self._able = False
                     return False
@@ -101,5 +110,5 @@ class Leap:
             self._plan[driver.FIRST], self._plan[driver.LAST] = len(first), len(behind)
             self._plan[driver.CLOCK], self._plan[driver.NUMBER] = clock() or (0, 0)
             table = np.array([entry(call) for call in bound], np.int64).ravel()
-            self._call = kernel(self._drive).bind(self._plan, table, self._times, self._room)
+            self._call = kernel(self._drive).bind(self._plan, table, self._times, self._room, sim.ticks)
         return self._able

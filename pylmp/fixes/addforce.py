@@ -7,8 +7,13 @@ Source: LAMMPS manual, fix_addforce.html.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
+from pylmp.kernels.exact import pushes
+from pylmp.kernels.store import kernel
 from pylmp.model.atoms import Floats
 from pylmp.model.forces import ForceFix
 from pylmp.model.quantity import Quantity
@@ -36,6 +41,21 @@ class AddForce(ForceFix):
         self._before = np.zeros(3)
         self._energy = 0.0
         self._virial = np.zeros(6)
+        self._function = pushes.add(bit == 1)
+
+    @property
+    def _plain(self) -> bool:
+        """Numbers, for a group, in every step: where nothing is tallied a kernel does it."""
+        return not (self.region or self.varies) and self.interval == 1
+
+    def functions(self) -> list[Any]:
+        return [self._function] if self._plain else []
+
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        if not self._plain:
+            return None
+        push = (force.value for force in self.force)
+        return [kernel(self._function).bind(sim.atoms.f, sim.atoms.mask, *push, self.bit, sim.atoms.n)]
 
     def _every(self, args: Args) -> None:
         self.interval = args.integer()

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from pylmp.kernels.exact.langevin import CHUNK, drag_and_noise
+from pylmp.kernels.exact.langevin import CHUNK, drag_and_noise, ramp_up
 from pylmp.kernels.random import STEPS, RanMars, room
 from pylmp.kernels.store import kernel
 from pylmp.model.atoms import Floats
@@ -68,6 +68,7 @@ class Langevin(Thermostat):
         self._power = self._energy = 0.0
         self._found: Any = None  # the compute of fix_modify temp
         self._function: Any = None
+        self._ramp: Any = ramp_up
         self._shape = (False, False)  # biased, each: what the kernel at hand was made for
         self._heat, self._hot = np.zeros(1), np.zeros((1, 3))
         self._call: Callable[[], float] = lambda: 0.0
@@ -109,7 +110,11 @@ class Langevin(Thermostat):
             return self.gjf.functions()
         self._shape = self._biased(), self.start.per_atom
         self._function = drag_and_noise(self.bit == 1, len(self._drag) == 2, self.zero, self.tally, *self._shape)
-        return [self._function]
+        return [self._function, *([self._ramp] if self._ramps else [])]
+
+    @property
+    def _ramps(self) -> bool:
+        return not self.start.varies and self.start.value != self.stop
 
     def _biased(self) -> bool:
         return bool(self.temperature) and self._found.bias
@@ -185,10 +190,13 @@ class Langevin(Thermostat):
             return np.sqrt(value)
 
     def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
-        if self.gjf is not None or self.tally or self._biased() or self.start.varies or self.start.value != self.stop:
+        if self.gjf is not None or self.tally or self._biased() or self.start.varies:
             return None
         if hook != "post_force":
             return []
+        if self._ramps:
+            heat = kernel(self._ramp).bind(sim.ticks, sim.begin, sim.end, self.start.value, self.stop, self._heat)
+            return [heat, self._call]
         self._heat[0] = self._target(sim)
         return [self._call]
 

@@ -118,6 +118,9 @@ class StoreState(Fix):
             self._first = False
             self._store(sim, lambda name: name[:2] in ("c_", "f_", "v_"))
 
+    def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
+        return None if self.interval else []
+
     def end_of_step(self, sim: Simulation) -> None:
         """Other than most, LAMMPS has computes evaluated anew here only if somebody else did so since the last time."""
         if self.interval:

@@ -113,7 +113,8 @@ class Fix:
     def calls(self, sim: Simulation, hook: str) -> list[Callable[[], float]] | None:
         """All that a hook of a step does when nothing is tallied, as bound kernels; None: it does more. Asked after post_neighbor.
 
-        The engine may then carry out many steps without coming back to Python: they must not depend on the step.
+        The engine may then carry out many steps without coming back to Python; kernels that depend on the step find it in sim.ticks.
+        Of end_of_step None means on multiples of every: in between nothing is done.
         """
         return None
 

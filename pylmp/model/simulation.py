@@ -44,6 +44,7 @@ class Simulation:
     fixes computes     in order of definition
     regions lattice    by ID; the lattice in force
     step dt            current step, timestep size
+    ticks              (1,) the step in progress, for kernels that look at it while Python does not (Fix.calls)
     asking             which computes are wanted at which steps
     tally              energies and virials of the last step that summed them
     report             RunReport of the last run, None before
@@ -110,6 +111,7 @@ class Simulation:
         self.asking = Asking(self)
         self.output = Output(self)
         self.step = 0
+        self.ticks = np.zeros(1, np.int64)
         self.dt = self.units.dt
         self.begin = self.end = 0  # steps that ramps of the current run refer to
         self.tally = Tally()

@@ -115,3 +115,10 @@ def gaussians() -> Function:
         return 0.0
 
     return draw
+
+
+def ramp_up(step: "i8*", begin: "i8", end: "i8", start: "f8", stop: "f8", heat: "f8*") -> "f8":
+    """heat[0]: square root of the target temperature at a step of a run from begin to end."""
+    part = 0.0 if step[0] == begin else (step[0] - begin) / (end - begin)
+    heat[0] = sqrt(start + part * (stop - start))
+    return 0.0

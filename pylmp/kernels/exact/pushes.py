@@ -38,6 +38,19 @@ def flatten(everyone: bool) -> Function:
     return stay_in_plane
 
 
+def add(everyone: bool) -> Function:
+    def add_forces(f: "f8*", mask: "i8*", x: "f8", y: "f8", z: "f8", bit: "i8", n: "i8") -> "f8":
+        """f += (x, y, z)."""
+        for i in range(n):
+            if everyone or mask[i] & bit != 0:
+                f[3 * i] += x
+                f[3 * i + 1] += y
+                f[3 * i + 2] += z
+        return 0.0
+
+    return add_forces
+
+
 def replace(everyone: bool, absent: tuple[bool, bool, bool]) -> Function:
     """absent: components that stay as they are."""
     no_x, no_y, no_z = absent

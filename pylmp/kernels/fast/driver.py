@@ -25,8 +25,9 @@ DONE, REBUILD, BOOK = 0.0, 1.0, 2.0  # why it stopped
 MODIFY, NEIGH, PAIR = 0, 1, 2  # sections of the table of timings
 
 
-def drive(plan: "i8*", calls: "i8*", times: "f8*", room: "i8*") -> "f8":
-    """Carry out steps as Run.step does. calls: address and block of each call. times (3,): gets the seconds of the sections. room: (2,) scratch.
+def drive(plan: "i8*", calls: "i8*", times: "f8*", room: "i8*", ticks: "i8*") -> "f8":
+    """Carry out steps as Run.step does. calls: address and block of each call. times (3,): gets the seconds of the sections. room: (2,) scratch. ticks[0]: the step
+    in progress, for calls that depend on it.
 
     Stops when all steps are done, between drift and forces when lists must be built anew by Python, or behind the forces when bonds broke.
     """
@@ -41,6 +42,7 @@ def drive(plan: "i8*", calls: "i8*", times: "f8*", room: "i8*") -> "f8":
     stage = plan[STAGE]
     while plan[STEPS] > 0:
         if stage == START:
+            ticks[0] += 1
             for k in range(first):
                 invoke(calls[2 * k], calls[2 * k + 1])
             now = seconds(clock, number, room)
