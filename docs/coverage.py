@@ -28,6 +28,7 @@ Written by `python docs/coverage.py` from the registries and the decks. *identic
 tests, and every number, dump and answer is equal to the last bit. *same text*: scripts in the named file print the same here and on
 LAMMPS. *without effect*: accepted with a warning.
 *LAMMPS only*: known, refused with exit code 5; `--engine lammps` runs it. `/omp` names of bond styles run the plain law.
+[engines.md](engines.md) lists which decks the fast engine runs, and what falls back to the exact one.
 """
 
 

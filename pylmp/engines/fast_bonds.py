@@ -75,7 +75,7 @@ class FastBonds:
 
     def __init__(self, sim: Simulation, part: BondPart, left_out: LeftOut) -> None:
         self.part = part
-        self.memory = part.memory
+        self.memory, self.room = part.memory, sim.bond.memory
         self.fresh = False
         self.slots = 0
         self.left_out = left_out
@@ -215,4 +215,7 @@ class FastBonds:
 
     @property
     def history(self) -> Floats:
+        """(count, numbers that bonds of any style remember)"""
+        if not self.memory:
+            return np.zeros((self.count, self.room))
         return self.memories[: self.memory * self.slots].reshape(self.memory, self.slots)[:, self._once].T

@@ -150,6 +150,8 @@ def _longest_bond(sim: Simulation) -> float:
         bonds = listed.bonds[: listed.count]
         bonds = bonds[bonds[:, 2] > 0]
         d = x[bonds[:, 0]] - x[bonds[:, 1]]
+        if not sim.atoms.ghosts:  # nobody stands for periodic images
+            d = sim.box.minimum_image(d)
         if len(d):
             longest = max(longest, float((d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]).max()))
     return float(np.sqrt(longest))
