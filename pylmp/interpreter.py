@@ -51,6 +51,7 @@ class Interpreter:
         self.echo = "log"
         self.most = most
         self.jumps = jumps
+        self.dry = False  # nothing is written: the script is only looked at
         self.count = 0  # commands carried out
         self._idle = 0  # jumps since something else than variables changed
         self.scope = Scope(sim, self.variables)

@@ -57,6 +57,8 @@ def write_data(sim: Simulation, args: Args) -> None:
     if contents.coeffs and not contents.pairs and (not ready or sim.ran):
         warn_unmixed(sim)
     writable(sim, name)
+    if sim.script.dry:
+        return
     path = Path(name.text.replace("*", str(sim.step), 1))
     try:
         write_packed(path, data_text(sim, contents))

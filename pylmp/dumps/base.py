@@ -40,6 +40,8 @@ class Dump:
         self.schedule = Schedule(every)
         writable(sim, path)
         self.file = DumpFile(args, path)
+        if sim.script.dry:
+            self.file.vanish()
         self.fields: list[Field] = []
         self.keys: list[Field] = []
         self.pbc = self.units = self.time = False

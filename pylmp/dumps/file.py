@@ -35,6 +35,10 @@ class DumpFile:
         self._kept: list[str] = []
         self._file: int | None = None
 
+    def vanish(self) -> None:
+        """From now on nothing is written."""
+        self.name, self.one_a_frame = os.devnull, False
+
     def open(self) -> None:
         """Make the single file, once. Raises ScriptError when it cannot be."""
         if not self.one_a_frame and self._file is None:

@@ -17,14 +17,15 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 PERMISSIONS = ("shell", "read", "write", "env")  # what --allow takes
+_NOTHING = Path("/dev/null")
 _NOWHERE = ("/dev/null", "/dev/stdout", "/dev/stderr")  # what is written there changes no file
 
 
 def writable(sim: Simulation, word: Word) -> Path:
-    """The path a word names, if a script may write there. Raises ScriptError."""
+    """The path a word names, if a script may write there; of a script that is only looked at, one where nothing stays. Raises ScriptError."""
     path = Path(word.text)
     if word.text in _NOWHERE or "write" in sim.script.allow:
-        return path
+        return _NOTHING if sim.script.dry else path
     home: Path = sim.script.folders[0]
     place = _resolved(path, word)
     if not place.is_relative_to(home):
@@ -37,7 +38,7 @@ def writable(sim: Simulation, word: Word) -> Path:
             f"Cannot write {word.text}: its name is a hidden one", word.span,
             hint="a name without a dot in front; --allow write lets scripts write anywhere", code="S101",
         )  # fmt: skip
-    return path
+    return _NOTHING if sim.script.dry else path
 
 
 def readable(sim: Simulation, word: Word) -> Path:

@@ -34,6 +34,8 @@ def write_restart(sim: Simulation, name: Word) -> None:
             f"Atom count is inconsistent: {sim.atoms.n} vs {sim.natoms}, cannot write restart file", name.span,
             hint="atoms were lost: they are outside the box", manual="write_restart.html",
         )  # fmt: skip
+    if sim.script.dry:
+        return
     for listed in sim.bond_lists:
         listed.copy_back(sim)
     whole = encode(gather(sim, files=1 if "%" in name.text else 0))
