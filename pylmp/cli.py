@@ -33,6 +33,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from pylmp.tools.bench import main as bench
 
         return _guarded(bench, words[1:])
+    if words[:1] == ["explain"]:
+        from pylmp.tools.explain import main as explain
+
+        return _guarded(explain, words[1:])
     if words[:1] == ["restart"]:
         return _restart(words[1:])
     if words[:1] == ["run"]:
@@ -79,7 +83,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="pylmp", allow_abbrev=False,
         description="Run a LAMMPS input script. `pylmp diff SCRIPT` compares a run with real LAMMPS; `pylmp bench SCRIPT` measures both; "
-        "`pylmp restart info|to-data FILE` looks into a restart file.",
+        "`pylmp explain SCRIPT[:LINE]` says what each command does; `pylmp restart info|to-data FILE` looks into a restart file.",
         epilog="Switches are those of lmp. Put the script first: -var takes all words up to the next switch.",
     )  # fmt: skip
     add = parser.add_argument
