@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
+import pkgutil
 import re
 from dataclasses import dataclass, field
 from typing import Any
@@ -61,7 +63,7 @@ def command_page(name: str) -> Page:
     found = COMMANDS.find(name)
     if found is None:
         near = COMMANDS.near(name)
-        raise ScriptError(f"There is no command {name}", hint=f"did you mean {near}?" if near else "")
+        raise ScriptError(f"There is no command {name}", hint=f"did you mean {near}?" if near else "pylmp explain run, pylmp explain fix nve")
     several = forms().get(name, ())
     keywords = several[0].keywords if len(several) == 1 else {}
     return _page(name, inspect.getmodule(found.run), found.run.__doc__ or "", found.manual, keywords)
@@ -83,24 +85,20 @@ def style_page(kind: str, name: str) -> Page:
     keywords = form.keywords if form is not None and forms_of else {}
     module = inspect.getmodule(style if isinstance(style, type) else getattr(style, "law", style) or style)
     if not isinstance(style, type):  # a value: found by the file that holds it
-        import importlib
-
         module = importlib.import_module(f"{registry.package}.{_file(registry, name)}")
     page = _page(f"{kind} {name}", module, "", getattr(style, "manual", "") or _manual(kind, name, module), keywords)
     if isinstance(style, type):
         return page
-    coeffs = tuple((one.name, one.unit) for one in style.coeffs)
+    coeffs = tuple((one.name, one.unit) for one in getattr(style, "coeffs", ()))
     return Page(
-        page.name, page.syntax, page.meaning, page.formula, coeffs, tuple(_rule(one) for one in style.restrictions), page.keywords,
+        page.name, page.syntax, page.meaning, page.formula, coeffs, tuple(_rule(one) for one in getattr(style, "restrictions", ())), page.keywords,
         tuple(getattr(style, "history", ())), page.manual,
     )  # fmt: skip
 
 
 def _file(registry: Registry[Any], name: str) -> str:
     """The module that registers a name: the one called like it, or the longest one the name begins or ends with."""
-    import pkgutil
-
-    home = __import__(registry.package, fromlist=["_"])
+    home = importlib.import_module(registry.package)
     wanted = name.replace("/", "_").replace("-", "_")
     files = [module.name for module in pkgutil.iter_modules(home.__path__)]
     return wanted if wanted in files else max((file for file in files if wanted.startswith(file)), key=len)

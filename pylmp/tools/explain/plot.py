@@ -65,6 +65,9 @@ def _bond(style: BondStyle, given: tuple[float, ...], marks: dict[str, float]) -
     far = max([1.6 * length, *(1.15 * value for value in marks.values())])
     if style.reference:
         far = 1.0 + 1.4 * given[1]
+    if "R0" in marks:  # beyond sqrt(0.9) R0 the force is no longer the slope of the energy
+        far = 0.948 * marks["R0"] + marks.get("delta", 0.0)
+        marks["R0 + delta" if "delta" in marks else "R0"] = marks.pop("R0") + marks.get("delta", 0.0)
     r = np.linspace(max(0.5 * length, 1.0 - 1.4 * given[1] if style.reference else 0.0), far, 800)
     memory = {"r0": np.full_like(r, 1.0)}
     history = tuple(memory.get(name, np.zeros_like(r)) for name in style.history)
@@ -77,7 +80,8 @@ def _pair(style: PairStyle, given: tuple[float, ...], marks: dict[str, float]) -
     cut = given[1] if style.name == "bpm/spring" else _CUT
     marks["cutoff"] = style.reach(given, cut)
     assert style.law is not None
-    r = np.linspace(0.85 * min(marks.values()) if style.name != "soft" else 0.01, 1.1 * marks["cutoff"], 800)
+    nearest = 0.01 if style.name == "soft" else 0.85 * min(marks.values()) if "delta" not in marks else 0.85 * marks["sigma"] + marks["delta"]
+    r = np.linspace(nearest, 1.1 * marks["cutoff"], 800)
     options = {"cut": cut, "anharmonic": False}
     row = style.row(given, cut, False)
     force, energy = style.law(options)(r * r, np.zeros_like(r), np.ones_like(r), row)
