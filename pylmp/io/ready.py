@@ -31,7 +31,7 @@ def full_list(sim: Simulation) -> tuple[Ints, Ints, Floats]:
     """
     atoms = sim.atoms
     ghosts, neighbors = Ghosts(sim), NeighborList(sim, FULL)
-    prepare([*ghosts.functions(), *neighbors.functions()], sim.console.screen)
+    prepare([*sim.box.functions(), *ghosts.functions(), *neighbors.functions()], sim.console.screen)
     cutoff = wrap_atoms(sim, ghosts)
     neighbors.build(sim, cutoff)
     rows = np.repeat(np.arange(atoms.n), np.diff(neighbors.first))
