@@ -122,6 +122,7 @@ def draw(kind: str, name: str, coeffs: list[float] | None, path: Path) -> None:
                 where = {"xycoords": ("data", "axes fraction"), "ha": "left", "va": "bottom", "rotation": 30}
                 axes.annotate(text, (place, 1.0), fontsize=8, color="#b04010", **where)
     lower.set_xlabel("distance")
+    lower.set_xlim(float(r[0]), max(float(r[-1]), 1.02 * max(marks.values(), default=0.0)))
     given = coeffs or EXAMPLES.get((kind, name), ())
     figure.suptitle(f"{kind} {name} {' '.join(f'{value:g}' for value in given)}")
     try:

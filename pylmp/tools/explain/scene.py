@@ -10,8 +10,8 @@ from pylmp.model.limits import size
 from pylmp.model.scene import Scene
 from pylmp.model.simulation import Simulation
 
-# Seconds of processor time, measured on one core (docs/performance.md): of an atom, of an entry of a half list, of a step.
-_COST = {"fast": (2.0e-8, 2.2e-9, 1.0e-5), "exact": (6.0e-8, 8.0e-9, 1.5e-4)}
+# Seconds of processor time on one core, measured with the scripts of inputs/bench: of an atom, of an entry of a half list, of a bond, of a step.
+_COST = {"fast": (2.0e-8, 3.0e-9, 1.0e-8, 1.0e-5), "exact": (5.0e-8, 5.0e-9, 8.0e-8, 1.0e-4)}
 _WHEN = {  # what a hook of a step means
     "initial_integrate": "before the forces", "post_integrate": "before the forces", "pre_force": "before the forces",
     "post_force": "changes the forces", "final_integrate": "behind the forces", "end_of_step": "at the end of a step",
@@ -37,8 +37,8 @@ def tell_run(sim: Simulation, scene: Scene, steps: int) -> RunTold:
     lacking = tuple(obstacles(sim))
     engine = "exact" if lacking or sim.relaxing else "fast"
     wanted = appetite(sim)
-    per_atom, per_entry, per_step = _COST[engine]
-    seconds = (steps + 1) * (wanted.atoms * per_atom + wanted.neighbors * per_entry + per_step)
+    per_atom, per_entry, per_bond, per_step = _COST[engine]
+    seconds = (steps + 1) * (wanted.atoms * per_atom + wanted.neighbors * per_entry + sim.bonds * per_bond + per_step)
     memory = f"about {size(wanted.bytes)}: {wanted.atoms} atoms, {wanted.ghosts:.3g} ghosts and {wanted.neighbors:.3g} pairs in the lists of LAMMPS's way"
     return RunTold(steps, engine, lacking, tuple(_computed(sim, scene)), tuple(_left_out(sim, scene)), memory, f"about {duration(seconds)} on one core")
 
