@@ -95,6 +95,7 @@ class Session:
 
     def _explain(self, error: BaseException, interpreter: Interpreter) -> int:
         """Say what ended the script; the exit code."""
+        from pylmp.kernels.load import Forbidden
         from pylmp.text.leave import Quit
 
         console = interpreter.sim.console
@@ -114,6 +115,9 @@ class Session:
             return SIGNALLED + getattr(error, "number", signal.SIGINT)
         if isinstance(error, BrokenPipeError):
             sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+            return WRONG
+        if isinstance(error, Forbidden):
+            _tell(console, f"ERROR: {error}\n  hint: run it where that is allowed (SELinux, systemd and containers can forbid it); pylmp doctor looks\n")
             return WRONG
         if os.environ.get("PYLMP_DEBUG") or isinstance(error, SystemExit):
             raise error

@@ -6,8 +6,13 @@ import ctypes
 import mmap
 import os
 import struct
+from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
+Memory = mmap.mmap | bytearray
+Fill = Callable[[Memory, int], None]
 _PROGRAM_BITS, _RELOCATIONS_WITH_ADDEND, _SYMBOLS, _IN_MEMORY = 1, 4, 2, 2
 _ABSOLUTE, _RELATIVE = 1, (2, 4)  # R_X86_64_64; R_X86_64_PC32 and PLT32
 _READ_EXECUTE = 5
@@ -16,8 +21,15 @@ _STUB_SIZE = 16
 _FROM_C = frozenset({"memset", "memcpy", "memmove", "exp", "log", "pow", "sin", "cos", "sincos"})
 
 
+class Forbidden(Exception):
+    """The system lets nobody run machine code that was just made."""
+
+    def __init__(self) -> None:
+        super().__init__("This system allows no executable memory to programs, and pylmp makes its kernels when a script needs them")
+
+
 def place(code: bytes) -> tuple[Any, int]:
-    """(owner, address) of the kernel in an object. The address is good as long as the owner lives."""
+    """(owner, address) of the kernel in an object. The address is good as long as the owner lives. Raises Forbidden."""
     try:
         return _load_elf(code)
     except (ValueError, OSError, struct.error, StopIteration):
@@ -25,7 +37,6 @@ def place(code: bytes) -> tuple[Any, int]:
 
 
 def _load_elf(code: bytes) -> tuple[Any, int]:
-    """Writable while relocated, then executable."""
     if code[:6] != b"\x7fELF\x02\x01" or code[18:20] != b"\x3e\0" or os.name != "posix":
         raise ValueError("not a 64-bit x86 object")
     (table_at,) = struct.unpack_from("<Q", code, 40)
@@ -45,19 +56,53 @@ def _load_elf(code: bytes) -> tuple[Any, int]:
         symbols[number] = size
         stubs[size] = _JUMP + struct.pack("<Q", _of_c(name))
         size += _STUB_SIZE
+
+    def fill(memory: Memory, start: int) -> None:
+        """What lies at address start."""
+        for k, offset in offsets.items():
+            memory[offset : offset + sections[k][5]] = code[sections[k][4] : sections[k][4] + sections[k][5]]
+        for offset, stub in stubs.items():
+            memory[offset : offset + len(stub)] = stub
+        for section in sections:
+            if section[1] == _RELOCATIONS_WITH_ADDEND and section[7] in offsets:
+                _relocate(memory, start, code, section, offsets[section[7]], symbols)
+
+    owner, start = _changed(size, fill) or _shared(size, fill)
+    return owner, start + entry
+
+
+def _changed(size: int, fill: Fill) -> tuple[Any, int] | None:
+    """Memory that is writable while it is filled, then executable; None where that is not allowed."""
     memory = mmap.mmap(-1, size)
     start = ctypes.addressof(ctypes.c_char.from_buffer(memory))
-    for k, offset in offsets.items():
-        memory[offset : offset + sections[k][5]] = code[sections[k][4] : sections[k][4] + sections[k][5]]
-    for offset, stub in stubs.items():
-        memory[offset : offset + len(stub)] = stub
-    for section in sections:
-        if section[1] == _RELOCATIONS_WITH_ADDEND and section[7] in offsets:
-            _relocate(memory, start, code, section, offsets[section[7]], symbols)
+    fill(memory, start)
     pages = -(-size // mmap.PAGESIZE) * mmap.PAGESIZE
-    if ctypes.CDLL(None).mprotect(ctypes.c_void_p(start), ctypes.c_size_t(pages), _READ_EXECUTE):
-        raise OSError("executable memory is not allowed here")
-    return memory, start + entry
+    refused = ctypes.CDLL(None).mprotect(ctypes.c_void_p(start), ctypes.c_size_t(pages), _READ_EXECUTE)
+    return None if refused else (memory, start)
+
+
+def _shared(size: int, fill: Fill) -> tuple[Any, int]:
+    """Memory of a file without a name, executable from the beginning and never writable: the file is written. Raises Forbidden."""
+    try:
+        file = os.memfd_create("pylmp")
+        try:
+            os.ftruncate(file, size)
+            memory = mmap.mmap(file, size, mmap.MAP_SHARED, mmap.PROT_READ | mmap.PROT_EXEC)
+            start = int(np.frombuffer(memory, np.uint8).ctypes.data)
+            image = bytearray(size)
+            fill(image, start)
+            os.pwrite(file, image, 0)
+        finally:
+            os.close(file)
+    except (OSError, AttributeError):
+        raise Forbidden from None
+    return memory, start
+
+
+def check_allowed() -> None:
+    """What the compiler needs, also for itself. Raises Forbidden."""
+    if os.name == "posix" and _changed(mmap.PAGESIZE, lambda memory, start: None) is None:
+        raise Forbidden
 
 
 def _symbols(code: bytes, sections: list[Any], offsets: dict[int, int]) -> tuple[list[int | None], int, dict[int, str]]:
@@ -91,7 +136,7 @@ def _of_c(name: str) -> int:
     raise ValueError(f"{name} is not found")
 
 
-def _relocate(memory: mmap.mmap, start: int, code: bytes, section: Any, base: int, symbols: list[int | None]) -> None:
+def _relocate(memory: Memory, start: int, code: bytes, section: Any, base: int, symbols: list[int | None]) -> None:
     for k in range(section[5] // 24):
         where, info, addend = struct.unpack_from("<QQq", code, section[4] + 24 * k)
         kind, value = info & 0xFFFFFFFF, symbols[info >> 32]

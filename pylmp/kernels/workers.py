@@ -17,6 +17,7 @@ from collections.abc import Sequence
 
 from pylmp.kernels.compile import compile_object
 from pylmp.kernels.key import reached
+from pylmp.kernels.load import check_allowed
 
 _HEAD = struct.Struct("<qq")  # number of the function, bytes of its code
 _TICKET = struct.Struct("<H")  # number of a function that nobody has taken yet
@@ -24,7 +25,8 @@ _MOST = 2000  # tickets that fit into a pipe before anybody reads
 
 
 def compile_all(functions: Sequence[types.FunctionType]) -> list[bytes]:
-    """Machine code of each function. Raises what the compiler raises."""
+    """Machine code of each function. Raises what the compiler raises, and Forbidden."""
+    check_allowed()
     codes: list[bytes | None] = [None] * len(functions)
     workers = min(len(functions), os.cpu_count() or 1)
     if _may_fork():
