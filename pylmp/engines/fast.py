@@ -106,6 +106,8 @@ class NoGhosts:
 class FastRun(GhostRun):
     """A run of the fast engine without ghosts."""
 
+    occasional: Guests
+
     def __init__(self, sim: Simulation) -> None:
         self.leap, self.renewal = Leap(), Renewal()
         self.end = 0
@@ -116,7 +118,14 @@ class FastRun(GhostRun):
         return NoGhosts(), FastForces(sim)
 
     def _lists_of_computes(self, sim: Simulation) -> Guests:
-        return Guests(sim)
+        return Guests(sim, self._rebind)
+
+    def _rebind(self) -> None:
+        """The arrays of the atoms moved."""
+        self.call("post_neighbor")
+        self.forces.bind(self.sim)
+        self.renewal.forget()
+        self.leap.forget()
 
     def renew(self) -> None:
         """All lists are built anew where somebody has moved too far."""
@@ -167,6 +176,7 @@ class FastRun(GhostRun):
             warn_image_flags(sim)
             if sort:
                 warn_small_box(sim)
+        self.occasional.make_room(sim)
         self.forces.rebuild(sim)
         self.ghosts.first = atoms.rows_by_tag() if setup or leaving or sorting else self.ghosts.first
         self.occasional.forget()
@@ -185,10 +195,6 @@ class FastRun(GhostRun):
 
     def step(self) -> None:
         """A step, or many that need nothing of Python."""
-        if self.sim.atoms.ghosts:  # guests of computes
-            self.sim.atoms.clear_ghosts()
-            if not self.forces.fill_rows(self.sim):
-                self.renewal.forget()
-                self.leap.forget()
+        self.forces.alone(self.sim)
         if not self.leap.go(self, self.end):
             super().step()

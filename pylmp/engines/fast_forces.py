@@ -63,7 +63,7 @@ class FastForces:
         self._calls: dict[int, list[Call]] = {}
         self._part_calls: list[Call] = []
         self._shares = np.zeros((2, 0, SHARES))
-        self._scrap = self._bound_to = np.zeros((0, 3))
+        self._scrap = np.zeros((0, 3))
         self._may_break = np.zeros(1, np.int64)
         self._reports = any(listed.part.style.report is not None for listed in self.bonds)
         self._moved_call: Call = lambda: 0.0
@@ -168,7 +168,7 @@ class FastForces:
         self._length[:] = sim.box.length
         self._held_box = sim.box.corners()
         self._moving_faces = sim.box.changing and any(sim.box.periodic[: sim.dimension])
-        self._bind(sim)
+        self.bind(sim)
 
     @staticmethod
     def _fill(sim: Simulation) -> int:
@@ -180,17 +180,15 @@ class FastForces:
         atoms.v[atoms.total : filler + 1] = 0.0
         return filler
 
-    def fill_rows(self, sim: Simulation) -> bool:
-        """Others used rows behind the atoms; False: and they moved the arrays."""
-        self._fill(sim)
-        if self._bound_to is sim.atoms.x:
-            return True
-        self._bind(sim)
-        return False
+    def alone(self, sim: Simulation) -> None:
+        """Guests of computes (engines/guests.py) leave the rows behind the atoms."""
+        if sim.atoms.ghosts and not self._ghosts:
+            sim.atoms.clear_ghosts()
+            self._fill(sim)
 
-    def _bind(self, sim: Simulation) -> None:
+    def bind(self, sim: Simulation) -> None:
+        """Bind the kernels to the arrays as they now are."""
         atoms = sim.atoms
-        self._bound_to = atoms.x
         rows = nobody(atoms.n)
         if 2 in self._kernels and self._shares.shape[1] != rows:
             self._shares = np.zeros((2, rows, SHARES))
@@ -230,6 +228,7 @@ class FastForces:
 
     def evaluate(self, sim: Simulation, wanted: int, setup: bool) -> None:
         """Forces, and what is wanted besides; then what breaks is booked."""
+        self.alone(sim)
         if self._moving_faces:
             self._length[:] = sim.box.length
         if len(self.parts) > 1:  # fix adapt may have changed coefficients

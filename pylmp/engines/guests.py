@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,8 +45,10 @@ class FastLists(Occasional):
 class Guests(FastLists):
     """Lists as the exact engine's. Which atoms have ghosts is found out with the first list after a rebuild; they follow their atoms later."""
 
-    def __init__(self, sim: Simulation) -> None:
+    def __init__(self, sim: Simulation, moved: Callable[[], None]) -> None:
+        """moved: called when the arrays of the atoms had to grow."""
         super().__init__(sim)
+        self._moved = moved
         self._ghosts = Ghosts(sim)
         self._count = -1
 
@@ -56,6 +59,14 @@ class Guests(FastLists):
         super().forget()
         self._count = -1
 
+    def make_room(self, sim: Simulation) -> None:
+        """Let the arrays of the atoms grow now, at a rebuild: amid a step others hold them."""
+        if self._lists:
+            self._ghosts.build(sim, ghost_cutoff(sim) + sim.neighbor.skin)
+            rows = sim.atoms.total
+            sim.atoms.clear_ghosts()
+            sim.atoms.reserve(rows + rows // 4)
+
     def pairs(self, sim: Simulation, wish: Wish) -> Pairs:
         if wish in self._lists:
             self._invite(sim)
@@ -63,8 +74,11 @@ class Guests(FastLists):
 
     def _invite(self, sim: Simulation) -> None:
         if self._count < 0:
+            before = sim.atoms.x
             self._ghosts.build(sim, ghost_cutoff(sim))
             self._count = sim.atoms.ghosts
+            if sim.atoms.x is not before:
+                self._moved()
         else:
             sim.atoms.ghosts = self._count
             self._ghosts.bind_refresh(sim)()

@@ -118,3 +118,36 @@ def test_energy_of_each_pair_style(tmp_path: Path) -> None:
     assert exact.bonds == fast.bonds < 2000
     for mine, theirs in zip(fast.pair.parts, exact.pair.parts, strict=True):
         assert abs(mine.energy - theirs.energy) <= 1e-9 * abs(theirs.energy) > 0.0
+
+
+MELT = """units lj
+lattice fcc 0.8442
+region b block 0 5 0 5 0 5
+create_box 1 b
+create_atoms 1 box
+mass 1 1
+velocity all create 1.44 87287 loop geom
+pair_style lj/cut 2.0
+pair_coeff 1 1 1 1
+neigh_modify every 1 delay 0
+fix 1 all nve
+compute c all coord/atom cutoff 1.3
+compute m all reduce ave c_c
+"""
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "fix m all ave/time 10 1 10 c_m file group\n",
+        "variable k equal c_m/12\nfix a all adapt 7 pair lj/cut epsilon * * v_k\nfix m all ave/time 10 1 10 c_m file group\n",
+        "variable k equal c_m\nfix p all addforce v_k 0 0\nfix v all viscous 0.1\nfix m all ave/time 10 1 10 c_m file group\n",
+    ],
+    ids=["now and then", "before forces", "behind forces"],
+)
+def test_ghosts_come_and_go(more: str, tmp_path: Path) -> None:
+    """Arrays of few atoms grow when a compute asks for ghosts for the first time: between steps, or amid one."""
+    exact, fast = both(MELT + more + "run 60\n", tmp_path)
+    assert exact.report.builds == fast.report.builds > 3
+    assert np.abs(rows(fast, "x") - rows(exact, "x")).max() <= 1e-11
+    assert (tmp_path / "exact" / "group").read_text() == (tmp_path / "fast" / "group").read_text()
