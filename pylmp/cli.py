@@ -37,6 +37,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from pylmp.tools.explain import main as explain
 
         return _guarded(explain, words[1:])
+    if words[:1] == ["doctor"]:
+        from pylmp.tools.doctor import main as doctor
+
+        return _guarded(doctor, words[1:])
     if words[:1] == ["restart"]:
         return _restart(words[1:])
     if words[:1] == ["run"]:

@@ -5,10 +5,13 @@ Nothing here raises for what a disk may do: an entry that cannot be read or kept
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
+import re
 from pathlib import Path
 
+_NAMES = re.compile(r"[0-9a-f]{40}(\.o|\.\d+\.[0-9a-f]{8})")  # entries, and what a killed process left
 _SEAL = 32  # bytes of checksum in front of each entry
 
 
@@ -46,6 +49,32 @@ def keep(name: str, code: bytes) -> None:
             private.unlink(missing_ok=True)
     except (OSError, RuntimeError):
         pass
+
+
+def contents() -> tuple[int, int]:
+    """How many kernels are kept, and how many bytes they take."""
+    sizes = []
+    for path in _files():
+        with contextlib.suppress(OSError):
+            sizes.append(path.stat().st_size if path.suffix == ".o" else 0)
+    return len([size for size in sizes if size]), sum(sizes)
+
+
+def empty() -> int:
+    """Delete all that keep made, and nothing else; returns how many files."""
+    count = 0
+    for path in _files():
+        with contextlib.suppress(OSError):
+            path.unlink()
+            count += 1
+    return count
+
+
+def _files() -> list[Path]:
+    try:
+        return [path for path in folder().iterdir() if _NAMES.fullmatch(path.name)]
+    except (OSError, RuntimeError):
+        return []
 
 
 def _ours(status: os.stat_result) -> bool:

@@ -9,8 +9,6 @@ import struct
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
 Memory = mmap.mmap | bytearray
 Fill = Callable[[Memory, int], None]
 _PROGRAM_BITS, _RELOCATIONS_WITH_ADDEND, _SYMBOLS, _IN_MEMORY = 1, 4, 2, 2
@@ -83,6 +81,8 @@ def _changed(size: int, fill: Fill) -> tuple[Any, int] | None:
 
 def _shared(size: int, fill: Fill) -> tuple[Any, int]:
     """Memory of a file without a name, executable from the beginning and never writable: the file is written. Raises Forbidden."""
+    import numpy as np
+
     try:
         file = os.memfd_create("pylmp")
         try:
