@@ -94,7 +94,7 @@ def _parser() -> argparse.ArgumentParser:
     add("script", nargs="?", help="input script; standard input if there is none")
     add("-in", "-i", dest="input", metavar="FILE", help="input script, as lmp takes it")
     add("-var", "-v", nargs="+", action="append", default=[], metavar="WORD", help="NAME VALUE...: an index variable")
-    add("-log", "-l", default="log.lammps", metavar="FILE", help="log file, or none (default: log.lammps)")
+    add("-log", "-l", metavar="FILE", help="log file, or none (default: log.lammps)")
     add("-screen", "-sc", metavar="FILE", help="screen output to a file, or none")
     add("-echo", "-e", default="log", choices=("none", "screen", "log", "both"), help="where commands are repeated")
     add("-skiprun", "-sr", action="store_true", help="set up every run, make no steps")

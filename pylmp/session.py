@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from pylmp.interpreter import Interpreter
 
 OK, WRONG, UNSUPPORTED, SIGNALLED = 0, 1, 5, 128  # SIGNALLED plus the number of the signal
+LOG = "log.lammps"
 BANNER = "LAMMPS (22 Jul 2025 - Update 4)"  # what log readers look for: the release whose numbers these are
 
 
@@ -47,7 +48,7 @@ class Session:
         from pylmp.model.simulation import Simulation
 
         try:
-            console = Console(self._open(options.screen, "screen", sys.stdout), self._open(options.log, "log", None))
+            console = Console(self._open(options.screen, "screen", sys.stdout), self._open(options.log or _log(), "log", None))
         except OSError as error:
             print(f"ERROR: {error}", file=sys.stderr)
             return WRONG
@@ -181,7 +182,7 @@ class Session:
 
         options = self.options
         switches = [w for names in options.var for w in ("-var", *names)]
-        switches += ["-log", options.log, "-echo", options.echo]
+        switches += ["-log", options.log or LOG, "-echo", options.echo]
         switches += ["-screen", options.screen] if options.screen else []
         switches += ["-nocite"] if options.nocite else []
         switches += ["-skiprun"] if options.skiprun else []
@@ -192,6 +193,13 @@ class Session:
         except ScriptError as error:
             print(render(error.diagnostic), file=sys.stderr)
             return WRONG
+
+
+def _log() -> str:
+    """The log file that nobody asked for. Raises OSError if it is a link that leads out of the working directory."""
+    if os.path.islink(LOG) and not Path(LOG).resolve().is_relative_to(Path.cwd().resolve()):
+        raise OSError(f"Cannot open log file {LOG}: it is a link to {Path(LOG).resolve()}; -log FILE says where the log goes")
+    return LOG
 
 
 def _tell(console: Console, text: str) -> None:

@@ -28,6 +28,7 @@ class Interrupts:
         self.number = 0
         self.loud = False
         self._listening = False
+        self._process = os.getpid()
 
     @contextlib.contextmanager
     def listen(self) -> Iterator[None]:
@@ -56,6 +57,6 @@ class Interrupts:
         if self.number:
             raise Interrupted(number, whole=False)
         self.number = int(number)
-        if self.loud:
+        if self.loud and os.getpid() == self._process:  # children are told too
             with contextlib.suppress(OSError):
                 os.write(2, _NOTICE.encode())

@@ -74,6 +74,17 @@ def test_what_stands_beside_the_script_is_read(inner: Path, capsys: pytest.Captu
     assert run(inner, "print x file /dev/null\nlog /dev/null", capsys)[0] == 0
 
 
+def test_a_log_that_nobody_asked_for_follows_no_link_out_of_the_folder(inner: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """As it may come with somebody's archive."""
+    target = inner.parent / "out" / "precious"
+    target.write_text("precious")
+    (inner / "in.script").write_text("print x\n")
+    (inner / "log.lammps").symlink_to(target)
+    assert main(["in.script"]) == 1 and "-log FILE says where" in capsys.readouterr().err
+    assert target.read_text() == "precious"
+    assert main(["in.script", "-log", "log.lammps"]) == 0 and "print x" in target.read_text()
+
+
 def test_permissions_are_a_list(inner: Path, capsys: pytest.CaptureFixture[str]) -> None:
     script = "shell true\nprint x file ../x"
     assert run(inner, script, capsys, "--allow", "shell,write")[0] == run(inner, script, capsys, "--allow", "shell", "--allow", "write")[0] == 0
