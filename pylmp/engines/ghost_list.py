@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pylmp.kernels.exact import INDEX_MASK, SPECIAL_SHIFT
 from pylmp.kernels.exact.neighbor import FULL
 from pylmp.kernels.fast import blocks
-from pylmp.kernels.simd import LANES
+from pylmp.kernels.fast.layout import laying_out
+from pylmp.kernels.fast.neighbor import ROOM
+from pylmp.kernels.store import kernel
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.neighbor import NeighborList
 
@@ -26,32 +27,30 @@ class GhostList:
     def __init__(self, sim: Simulation) -> None:
         self._list = NeighborList(sim, FULL)
         self.weighted = sim.has_bonds and not set(sim.special.lj) <= {1.0}
+        self._lay_out = laying_out(self.weighted)
         self.first, self.depth, self.edges = np.zeros(0, np.int64), np.zeros(0, np.int32), np.zeros(0, np.uint8)
-        self.neighbors, self.weights = np.zeros(1, np.int32), np.zeros(1)
+        self.neighbors, self.weights = np.zeros(1024, np.int32), np.zeros(1024 if self.weighted else 1)
 
     def functions(self) -> list[Function]:
-        return self._list.functions()
+        return [*self._list.functions(), self._lay_out]
 
     @property
     def half(self) -> int:
         return self._list.count // 2
 
     def build(self, sim: Simulation, filler: int) -> None:
+        """List the neighbors of all atoms; ghosts are there. filler: the row of nobody."""
         listed, n = self._list, sim.atoms.n
         listed.build(sim, ghost_cutoff(sim))
         count = blocks(n)
-        held = np.zeros(LANES * count, np.int64)
-        held[:n] = np.diff(listed.first)
-        self.depth = held.reshape(count, LANES).max(axis=1).astype(np.int32)
-        self.edges = np.zeros(count, np.uint8)
-        slots = np.concatenate([[0], np.cumsum(LANES * self.depth.astype(np.int64))])
-        self.first = slots[:-1]
-        rows = np.repeat(np.arange(n), held[:n])
-        nth = np.arange(listed.count) - np.repeat(listed.first[:-1], held[:n])
-        at = slots[rows // LANES] + LANES * nth + rows % LANES
-        entries = listed.neighbors[: listed.count]
-        self.neighbors = np.full(int(slots[-1]) + LANES, 3 * filler, np.int32)
-        self.neighbors[at] = 3 * (entries & INDEX_MASK)
-        if self.weighted:
-            self.weights = np.ones(len(self.neighbors))
-            self.weights[at] = np.array([1.0, *sim.special.lj])[(entries >> SPECIAL_SHIFT) & 3]
+        if len(self.depth) != count:
+            self.first, self.depth, self.edges = np.zeros(count, np.int64), np.zeros(count, np.int32), np.zeros(count, np.uint8)
+        kinds = np.array([1.0, *sim.special.lj])
+        while True:
+            entries = kernel(self._lay_out).bind(
+                listed.first, listed.neighbors, kinds, self.first, self.depth, self.neighbors, self.weights, len(self.neighbors), filler, count, n
+            )()
+            if entries != ROOM:
+                break
+            self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
+            self.weights = np.zeros(len(self.neighbors) if self.weighted else 1)

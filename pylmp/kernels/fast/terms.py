@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pylmp.kernels.kinds import Function
+from pylmp.kernels.simd import some
 
 
 @dataclass(frozen=True)
@@ -47,14 +48,30 @@ def idle(r2: Any, dot: Any, history: Any, c: Any) -> Any:
 
 
 def joined(laws: list[Function], widths: list[int]) -> Function:
-    """One law for several that act side by side; c holds what each receives, one behind the other."""
+    """One law for several that act side by side: c holds what each receives, one behind the other.
+
+    What a pair law receives ends with the square of its reach: one that reaches less far is left out where nobody is so near.
+    """
     if len(laws) == 1:
         return laws[0]
-    rest, last, at = joined(laws[:-1], widths[:-1]), laws[-1], sum(widths[:-1])
+    return _beside(laws, widths)
+
+
+def _beside(laws: list[Function], widths: list[int]) -> Function:
+    if not laws:
+        return _none
+    rest, last, at, end = _beside(laws[:-1], widths[:-1]), laws[-1], sum(widths[:-1]), sum(widths)
 
     def law(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
         force, energy = rest(r2, dot, factor, c[:at])
-        more_force, more_energy = last(r2, dot, factor, c[at:])
-        return force + more_force, energy + more_energy
+        if some(r2 < c[end - 1]):
+            more_force, more_energy = last(r2, dot, factor, c[at:])
+            force = force + more_force
+            energy = energy + more_energy
+        return force, energy
 
     return law
+
+
+def _none(r2: Any, dot: Any, factor: Any, c: Any) -> Any:
+    return r2 * 0.0, r2 * 0.0
