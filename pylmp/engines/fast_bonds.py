@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pylmp.kernels.fast import blocks
 from pylmp.kernels.fast import bonds as loops
+from pylmp.kernels.fast.choosing import few_types
 from pylmp.kernels.fast.terms import BondTerm
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES
@@ -92,7 +93,7 @@ class FastBonds:
         """alone: the law of pairs that bonds take out again, None if there is no pair law."""
         part, style = self.part, self.part.style
         return BondTerm(
-            part.law, part.table.shape[1], part.memory, style.velocity, sim.bond_types == 1, style.reference, part.can_break,
+            part.law, part.table.shape[1], part.memory, style.velocity, few_types(sim.bond_types), style.reference, part.can_break,
             part.updates_special and alone is not None, alone if style.subtract_pair else None,
             part.watch,
         )  # fmt: skip

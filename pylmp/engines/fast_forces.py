@@ -15,6 +15,7 @@ from pylmp.kernels.exact import SHARES
 from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.fast import FAR, blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
+from pylmp.kernels.fast.choosing import few_types
 from pylmp.kernels.fast.driver import drive
 from pylmp.kernels.fast.forces import TALLIES, force_loop
 from pylmp.kernels.fast.renewal import hold, look_out, renew
@@ -41,6 +42,11 @@ def table_of(parts: list[PairPart]) -> tuple[Floats, list[int]]:
     return tables[0] if len(tables) == 1 else np.concatenate(tables, axis=2), [part.width for part in parts]
 
 
+def _of_last_run(sim: Simulation) -> FullList | None:
+    lists = getattr(getattr(sim.lists, "forces", None), "lists", None)
+    return lists if isinstance(lists, FullList) else None
+
+
 class FastForces:
     """Kernels with and without tallies, bound to the arrays of the atoms.
 
@@ -53,7 +59,9 @@ class FastForces:
         self.left_out = LeftOut()
         self.bonds = [FastBonds(sim, part, self.left_out) for part in (sim.bond.parts if sim.bond else [])]
         listing = sim.pair is not None and sim.neighbor_cutoff > 0.0
-        self.lists: Any = (GhostList if ghosts else FullList)(sim) if listing else None
+        self.lists: Any = None
+        if listing:
+            self.lists = GhostList(sim) if ghosts else FullList(sim, _of_last_run(sim))
         self.parts = [part for part in sim.pair.working if part.settings.compute] if sim.pair and listing else []
         self._table, self._width = table_of(self.parts)
         self._kernels = {level: self._compose(sim, level) for level in levels(sim)}
@@ -92,17 +100,17 @@ class FastForces:
     def _compose_parts(self, sim: Simulation) -> list[Function]:
         """Of several pair styles, a loop for each that sums its energy alone."""
         periodic = (False, False, False) if self._ghosts else sim.box.periodic
-        instead = BondTerm(idle, 0, 0, False, True, False, False, True, None, None)
+        instead = BondTerm(idle, 0, 0, False, 1, False, False, True, None, None)
         bond = instead if self.bonds and self.bonds[0].part.updates_special else None
         return [force_loop(self._pair_term(sim, [part]), bond, periodic, 1, weighted=self.lists.weighted) for part in self.parts]
 
-    @staticmethod
-    def _pair_term(sim: Simulation, parts: list[PairPart]) -> PairTerm | None:
+    def _pair_term(self, sim: Simulation, parts: list[PairPart]) -> PairTerm | None:
         if not parts:
             return None
         widths = [part.width for part in parts]
         law = joined([part.law for part in parts], widths)
-        return PairTerm(law, sum(widths), any(part.style.velocity for part in parts), sim.atom_types == 1)
+        packed = not self._ghosts and self.lists.types > 1
+        return PairTerm(law, sum(widths), any(part.style.velocity for part in parts), few_types(sim.atom_types), packed)
 
     def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
         """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""
@@ -160,7 +168,7 @@ class FastForces:
         if self._ghosts and self.lists is not None:
             self.lists.build(sim, filler)
         elif self.lists is not None:
-            self.lists.build(sim, self.left_out, self.least, self.most)
+            self.lists.build(sim, self.left_out, self.least, self.most, self._kinds)
         check_bonded(sim)
         if len(self._held) != n:
             self._held = np.zeros((n, 3))

@@ -6,9 +6,11 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.kernels.fast import blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
+from pylmp.kernels.fast.choosing import few_types
 from pylmp.kernels.fast.renewal import gridding, unmark
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, WIDE
@@ -17,38 +19,48 @@ from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.engines.fast_bonds import LeftOut
-    from pylmp.model.atoms import Floats
+    from pylmp.model.atoms import Floats, Ints
     from pylmp.model.simulation import Simulation
 
+SHARE = LANES * 2**15  # rows that are listed before they are woven: what is listed needs room for these only
 _FEW = 64  # cells there may be, besides four an atom
+_SPARE = 1.3  # the next list may be longer; memory that nobody touches costs nothing
 _SINGLE = 2.0**-20  # of the box length: more than single precision and the shift of images lose
+
+Step = tuple[Callable[[], float], float, float]  # a call, and between what its result lies if all is well
+Small = NDArray[np.int32]
 
 
 class FullList:
     """neighbors int32, at first[b] + 8 k + lane: entry k of a row of block b, times 3. depth, edges (blocks,) (kernels/fast/neighbor.py)."""
 
-    def __init__(self, sim: Simulation) -> None:
+    def __init__(self, sim: Simulation, before: FullList | None = None) -> None:
+        """before: a list that nobody needs any longer, whose room this one takes."""
         self.cutoff = float(sim.pair.cut.max()) + sim.neighbor.skin
         self._flat = sim.dimension == 2
         self._excluding = sim.has_bonds and 0.0 in sim.special.lj
         self._sort = loops.sorting()
         self._list = loops.listing(sim.box.periodic, self._flat, self._excluding)
-        self._weave = loops.weaving()
+        self.types = few_types(sim.atom_types)  # where there are several, entries hold them
+        self._weave = loops.weaving(self.types)
         self._grid = gridding(sim.box.periodic, self._flat)
         self._unmark: Function = unmark
-        self._width, self._room = 3 * WIDE, 1024
-        self.first, self.depth, self.edges = np.zeros(0, np.int64), np.zeros(0, np.int32), np.zeros(0, np.uint8)
+        self._room, self._most_listed = 1024, 0
+        self.first, self.depth, self.edges = np.zeros(1, np.int64), np.zeros(0, np.int32), np.zeros(0, np.uint8)
         self.neighbors = np.zeros(1024, np.int32)
         self._found, self._edge = np.zeros(0, np.int32), np.zeros(0, np.uint8)
-        self._listed = self._start = self._stamp = self._cell = self._order = np.zeros(0, np.int32)
+        self._at_first = self._listed = self._start = self._stamp = self._cell = self._order = np.zeros(0, np.int32)
         self._near = [np.zeros(0, np.float32)] * 3
         self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]
         self._candidate_rows = np.zeros(self._room, np.int32)
         self._corner, self._inverse, self._length, self._counts = np.zeros(3), np.zeros(3), np.zeros(3), np.ones(3, np.int64)
         self._limit2 = np.zeros(1)
-        self.steps: list[tuple[Callable[[], float], float, float]] = []  # what build called, and between what each result lies if all is well
+        self.steps: list[Step] = []  # what build called, and between what each result lies if all is well
         self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32)
         self._rows = 0
+        if before:
+            self.neighbors, self._listed = before.neighbors, before._listed
+            self._most_listed = max(0, len(self._listed) - sim.neighbor.one - WIDE)
 
     def functions(self) -> list[Function]:
         return [self._sort, self._list, self._weave, self._grid, self._unmark]
@@ -66,8 +78,11 @@ class FullList:
     weighted, weights = False, np.zeros((1, 1))
     full = whole = None  # a list that computes could look at: none
 
-    def build(self, sim: Simulation, left_out: LeftOut | None, least: Floats, most: Floats) -> None:
-        """List the neighbors of all atoms, which are between least and most (3,). Raises ScriptError where a position is not a number, or too many are too close."""
+    def build(self, sim: Simulation, left_out: LeftOut | None, least: Floats, most: Floats, kinds: Small) -> None:
+        """List the neighbors of all atoms, which are between least and most (3,); kinds[3 i]: type of row i.
+
+        Raises ScriptError where a position is not a number, or too many are too close.
+        """
         atoms, n = sim.atoms, sim.atoms.n
         self._fit(n)
         layout = self._corner, self._inverse, self._length, self._counts, self._limit2
@@ -81,51 +96,65 @@ class FullList:
         if sort() < 0.0:
             raise ScriptError("Non-numeric atom coords - simulation unstable", hint="a smaller timestep, or forces that do not diverge")
         excluded = (left_out.first, left_out.rows) if self._excluding and left_out else self._nothing
-        while True:
+        self.steps = [(grid, 0.0, 0.0), (sort, 0.0, 0.0)]
+        if self._excluding:
             blank = kernel(self._unmark).bind(self._stamp, len(self._stamp))
-            listing = kernel(self._list).bind(
-                self._start, self._order, *self._near, self._counts, self._length, self._limit2, *self._candidates, self._candidate_rows,
-                self._room, *excluded, self._stamp, self._found, self._edge, self._listed, self._width,
-            )  # fmt: skip
             blank()
-            deepest = listing()
-            if deepest >= 0.0 or self._width > sim.neighbor.one + WIDE:
-                break
-            self._more(n, deepest == loops.WIDTH)
-        if not 0.0 <= deepest <= sim.neighbor.one:
-            raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
-        while True:
-            weave = kernel(self._weave).bind(
-                self._listed, self._width, self._found, self._edge, self.first, self.depth, self.edges, self.neighbors,
-                len(self.neighbors), nobody(n), blocks(n),
-            )  # fmt: skip
-            if weave() != loops.ROOM:
-                break
-            self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
+            self.steps.append((blank, 0.0, 0.0))
+        shares = [(begin, min(begin + SHARE, n)) for begin in range(0, n, SHARE)]
+        for begin, end in shares:
+            self._build_share(sim, excluded, kinds, begin, end)
+        for begin, end in shares:  # bound only now: later shares may have moved the arrays
+            listing, weave = self._listing(excluded, sim.neighbor.one, begin, end), self._weaving(n, kinds, begin, end)
+            self.steps += [(listing, 0.0, sim.neighbor.one), (weave, 0.0, np.inf)]
         self._rows = n
-        self.steps = [(grid, 0.0, 0.0), (sort, 0.0, 0.0), (blank, 0.0, 0.0), (listing, 0.0, sim.neighbor.one), (weave, 0.0, np.inf)]
-        if not self._excluding:
-            del self.steps[2]
+
+    def _build_share(self, sim: Simulation, excluded: tuple[Ints, Small], kinds: Small, begin: int, end: int) -> None:
+        """List rows begin to end and weave them, with more room where it takes more."""
+        n, one = sim.atoms.n, sim.neighbor.one
+        while (deepest := self._listing(excluded, one, begin, end)()) < 0.0:
+            self._more(deepest == loops.FULL, one)
+        if deepest > one:
+            raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
+        used = int(self.first[begin // LANES])
+        room = used + LANES * int(self._found[begin : LANES * blocks(end)].reshape(-1, LANES).max(axis=1).sum())
+        if room > len(self.neighbors):
+            woven, self.neighbors = self.neighbors[:used], np.zeros(int(_SPARE * room * n / end), np.int32)  # more shares follow
+            self.neighbors[:used] = woven
+        self._weaving(n, kinds, begin, end)()
+
+    def _listing(self, excluded: tuple[Ints, Small], one: int, begin: int, end: int) -> Callable[[], float]:
+        return kernel(self._list).bind(
+            self._start, self._order, *self._near, self._counts, self._length, self._limit2, *self._candidates, self._candidate_rows,
+            self._room, *excluded, self._stamp, self._found, self._edge, self._at_first, self._listed, self._most_listed, one, begin, end,
+        )  # fmt: skip
+
+    def _weaving(self, n: int, kinds: Small, begin: int, end: int) -> Callable[[], float]:
+        return kernel(self._weave).bind(
+            self._listed, self._at_first, self._found, self._edge, kinds, self.first, self.depth, self.edges, self.neighbors,
+            len(self.neighbors), nobody(n), begin // LANES, blocks(end),
+        )  # fmt: skip
 
     def _fit(self, n: int) -> None:
         rows = LANES * blocks(n)
-        if len(self._found) < rows or len(self.first) < blocks(n):
+        if len(self._found) < rows or len(self.first) <= blocks(n):
             self._found, self._edge = np.zeros(rows, np.int32), np.zeros(rows, np.uint8)
-            self.first, self.depth, self.edges = np.zeros(blocks(n), np.int64), np.zeros(blocks(n), np.int32), np.zeros(blocks(n), np.uint8)
+            self.first, self.depth, self.edges = np.zeros(blocks(n) + 1, np.int64), np.zeros(blocks(n), np.int32), np.zeros(blocks(n), np.uint8)
             self._cell, self._order = np.zeros(n + WIDE, np.int32), np.zeros(n + WIDE, np.int32)
             self._near = [np.zeros(n + WIDE, np.float32) for _ in range(3)]
             self._stamp = np.full(n + WIDE, -1, np.int32)
-            self._listed = np.zeros(self._width * rows, np.int32)
+            self._at_first = np.zeros(rows, np.int32)
         if len(self._start) < 4 * rows + _FEW + 2:
             self._start = np.zeros(4 * rows + _FEW + 2, np.int32)
         self._found[n:] = 0
         self._edge[n:] = 0
 
-    def _more(self, n: int, wider: bool) -> None:
-        """Room for more neighbors of a row, or for more candidates of a cell."""
-        if wider:
-            self._width += self._width // 2
-            self._listed = np.zeros(self._width * LANES * blocks(n), np.int32)
+    def _more(self, listed: bool, one: int) -> None:
+        """Room for more listed rows, or for more candidates of a cell."""
+        if listed:
+            self._most_listed = 2 * self._most_listed + 2**16
+            self._listed = self._nothing[1]  # not both at once
+            self._listed = np.zeros(self._most_listed + one + WIDE, np.int32)  # a short row is read as far as the longest one in its block
             return
         self._room *= 2
         self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]

@@ -36,8 +36,12 @@ def full_list(sim: Simulation) -> tuple[Ints, Ints, Floats]:
     neighbors.build(sim, cutoff)
     rows = np.repeat(np.arange(atoms.n), np.diff(neighbors.first))
     others = (neighbors.neighbors[: neighbors.count] & INDEX_MASK).astype(np.int64)
-    d = atoms.x[rows] - atoms.x[others]
-    return rows, others, d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]
+    r2 = np.zeros(len(rows))
+    for d in range(3):  # one direction at a time takes less memory
+        away = atoms.x[rows, d] - atoms.x[others, d]
+        away *= away
+        r2 += away
+    return rows, others, r2
 
 
 def wrap_atoms(sim: Simulation, ghosts: Ghosts | None = None) -> float:

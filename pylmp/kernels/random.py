@@ -17,6 +17,7 @@ from pylmp.laws import select
 _MODULUS, _FACTOR, _QUOTIENT, _REMAINDER = 2147483647, 16807, 127773, 2836
 _SCALE = 1.0 / _MODULUS
 _32BITS = 0xFFFFFFFF
+_AT_ONCE = 2**16  # rows
 _C, _CD, _CM = 362436, 7654321, 16777213  # of RanMars, in units of 2^-24
 LAG, LANES = 97, 32
 STEPS = np.array([lane * _CD % _CM for lane in range(1, LANES + 1)]) / 2.0**24  # what 1, 2, ... draws take off c
@@ -162,7 +163,14 @@ class RanPark(_Gaussian):
 
 
 def park_at(seed: int, x: NDArray[np.float64], draws: int) -> NDArray[np.float64]:
-    """(n, draws) uniform numbers, row k what a RanPark reset at position x[k] draws; many atoms at once."""
+    """(n, draws) uniform numbers, row k what a RanPark reset at position x[k] draws; many atoms at once, not so many that it takes much memory."""
+    result = np.empty((len(x), draws))
+    for begin in range(0, len(x), _AT_ONCE):
+        result[begin : begin + _AT_ONCE] = _park_at(seed, x[begin : begin + _AT_ONCE], draws)
+    return result
+
+
+def _park_at(seed: int, x: NDArray[np.float64], draws: int) -> NDArray[np.float64]:
     words = np.empty((len(x), 28), np.uint8)
     words[:, :4] = np.frombuffer(np.int32(seed).tobytes(), np.uint8)
     words[:, 4:] = np.ascontiguousarray(x, float).view(np.uint8).reshape(len(x), 24)

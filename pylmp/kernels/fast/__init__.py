@@ -4,7 +4,8 @@ Rows of atoms are taken in blocks of eight. A block's neighbors are stored slice
 together, shorter rows padded with a row far away from everybody (sliced ELLPACK). Every atom lists all its neighbors, so each pair is
 evaluated at both ends, and a block writes nothing but the forces of its own rows: no ghosts, no order between blocks.
 
-Indices of rows are kept multiplied by 3, ready for the flat (n, 3) arrays of positions.
+Indices of rows are kept multiplied by 3, ready for the flat (n, 3) arrays of positions. Where atoms are of few types, an
+entry of a neighbor list holds its type too, and coefficients are chosen among those of all types, which are in registers.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, count_up, gather, load, some, splat_whole, store
 from pylmp.laws import select
 
+FEW = 4  # types whose coefficients are chosen; of more they are gathered
+SPAN = 2**29  # an entry of a neighbor list of few types: 3 x the row + (type - 1) x SPAN
 FAR = 1.0e9  # where rows that fill the last block stand; those that fill neighbor lists stand opposite, far from these too
 
 

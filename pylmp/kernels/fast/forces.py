@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pylmp.kernels.exact import SHARES, row
+from pylmp.kernels.exact import SHARES
 from pylmp.kernels.fast import columns, no_weight, places, recalling, remembering, weight
+from pylmp.kernels.fast.choosing import by_other, choice, rows_of, rows_of_pairs, unpacking
 from pylmp.kernels.fast.terms import BondTerm, PairTerm
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import (
@@ -42,25 +43,27 @@ def force_loop(
     px, py, pz = periodic
     paired, bonded = pair is not None and listed, bond is not None
     tally, share = level > 0, level > 1
-    pair = pair or PairTerm(None, 0, False, True)
-    bond = bond or BondTerm(None, 0, 0, False, True, False, False, False, None, None)
-    pair_law, pair_width, pair_velocity, one_type = pair.law, pair.width, pair.velocity, pair.one_type
-    bond_law, memory, one_bond_type, can_break, instead = bond.law, bond.memory, bond.one_type, bond.can_break, bond.instead
+    pair = pair or PairTerm(None, 0, False, 1)
+    bond = bond or BondTerm(None, 0, 0, False, 1, False, False, False, None, None)
+    pair_law, pair_width, pair_velocity, few = pair.law, pair.width, pair.velocity, pair.types
+    bond_law, memory, few_bonds, can_break, instead = bond.law, bond.memory, bond.types, bond.can_break, bond.instead
     bond_velocity, reference, subtract, alone = bond.velocity, bond.reference, bond.alone is not None, bond.alone
     bond_width, watched, watch = bond.width, bond.watch is not None, bond.watch
     moving = pair_velocity or bond_velocity
-    pair_row, pair_columns = row(pair_width), columns(pair_width)
-    bond_row, bond_columns = row(bond_width), columns(bond_width)
+    pair_rows, pair_row, pair_columns = rows_of_pairs(few, few, pair_width), by_other(few, few, pair_width), columns(pair_width)
+    bond_rows, bond_columns = rows_of(few_bonds, bond_width), columns(bond_width)
+    choose, choose_bond = choice(few, pair_width), choice(few_bonds, bond_width)
+    apart, kind_of = unpacking(few, pair.packed), unpacking(few, False)
     recall, remember = recalling(memory), remembering(memory)
-    kinds_needed = ((paired or instead) and not one_type) or subtract
+    kinds_needed = ((paired or instead) and few != 1) or subtract
 
     def for_types(law: Function) -> Function:
-        """The law of pairs, with the coefficients of their types: c where all are alike."""
+        """The law of pairs, with the coefficients of their types; c: those of few, for each type of the other atom."""
 
-        def evaluate(r2, dot, factor, ti, j, kinds, table, types, c):
-            if one_type:
-                return law(r2, dot, factor, c)
-            return law(r2, dot, factor, pair_columns(table, (ti * types + gather(kinds, j, 0)) * pair_width))
+        def evaluate(r2, dot, factor, ti, tj, table, types, c):
+            if few:
+                return law(r2, dot, factor, choose(c, tj))
+            return law(r2, dot, factor, pair_columns(table, (ti * types + tj) * pair_width))
 
         return evaluate
 
@@ -120,8 +123,8 @@ def force_loop(
         bxy = splat(0.0, LANES)
         bxz = splat(0.0, LANES)
         byz = splat(0.0, LANES)
-        c = pair_row(table, (types + 1) * pair_width)
-        bc = bond_row(bond_table, bond_width)
+        rows = pair_rows(table, types)
+        bond_types = bond_rows(bond_table, 0, bond_width)
         for b in range(begin, end):
             i = places(b)
             xi, yi, zi = gather_rows(x, i)
@@ -136,12 +139,13 @@ def force_loop(
             ti = splat_whole(0, LANES)
             if kinds_needed:
                 ti = gather(kinds, i, 0)
+            c = pair_row(rows, ti)
             if paired:
                 image_x = edges[b] & 1 != 0
                 image_y = edges[b] & 2 != 0
                 image_z = edges[b] & 4 != 0
                 for k in range(first[b], first[b] + LANES * depth[b], LANES):
-                    j = load(neighbors, k, LANES)
+                    j, tj = apart(load(neighbors, k, LANES), kinds)
                     xj, yj, zj = gather_rows(x, j)
                     dx = xi - xj
                     dy = yi - yj
@@ -160,7 +164,7 @@ def force_loop(
                     if pair_velocity:
                         uj, vj, wj = gather_rows(v, j)
                         dot = dx * (ui - uj) + dy * (vi - vj) + dz * (wi - wj)
-                    force, e = of_pair(r2, dot, factor_at(weights, k), ti, j, kinds, table, types, c)
+                    force, e = of_pair(r2, dot, factor_at(weights, k), ti, tj, table, types, c)
                     gx = dx * force
                     gy = dy * force
                     gz = dz * force
@@ -202,15 +206,15 @@ def force_loop(
                             for m in range(1, memory):
                                 store(history, m * slots + k, select(new, 0.0, load(history, m * slots + k, LANES)))
                     if watched:
-                        if one_bond_type:
-                            worth = active & watch(r2, bc)
+                        if few_bonds:
+                            worth = active & watch(r2, choose_bond(bond_types, kind))
                         else:
                             at = select(active, kind, splat_whole(1, LANES)) * bond_width
                             worth = active & watch(r2, bond_columns(bond_table, at))
                         if some(worth):
                             notes += compress(noted, 1 + notes, count_up(k, LANES), worth)
-                    if one_bond_type:
-                        force, e, remembered, alive = bond_law(r2, dot, recall(history, k, slots), bc)
+                    if few_bonds:
+                        force, e, remembered, alive = bond_law(r2, dot, recall(history, k, slots), choose_bond(bond_types, kind))
                     else:
                         at = select(active, kind, splat_whole(1, LANES)) * bond_width
                         force, e, remembered, alive = bond_law(r2, dot, recall(history, k, slots), bond_columns(bond_table, at))
@@ -234,7 +238,7 @@ def force_loop(
                         byz = byz + dy * dz * force
                     other = splat(0.0, LANES)
                     if subtract:
-                        other, e = of_alone(r2, dot, 1.0, ti, j, kinds, table, types, c)
+                        other, e = of_alone(r2, dot, 1.0, ti, kind_of(j, kinds)[1], table, types, c)
                         other = select(active, -other, 0.0)
                         e = select(active, -e, 0.0)
                         if tally:
@@ -242,7 +246,7 @@ def force_loop(
                     if instead:
                         before = kind < 0
                         if some(before):
-                            other, e = of_pair(r2, dot, 1.0, ti, j, kinds, table, types, c)
+                            other, e = of_pair(r2, dot, 1.0, ti, kind_of(j, kinds)[1], table, types, c)
                             other = select(before, other, 0.0)
                             if tally:
                                 pe = pe + select(before, e, 0.0)

@@ -7,12 +7,12 @@ its atoms is compared with sixteen of them at a time.
 
 from __future__ import annotations
 
-from pylmp.kernels.fast import FAR
+from pylmp.kernels.fast import FAR, SPAN
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, WIDE, compress, count_up, gather, load, splat_single, splat_whole, store
 from pylmp.laws import select
 
-ROOM, WIDTH = -1.0, -2.0  # not enough room, rows that are too narrow: the caller makes more and asks again
+ROOM, FULL = -1.0, -2.0  # not enough room for candidates or woven rows, for listed rows: the caller makes more and asks again
 
 
 def extents() -> Function:
@@ -116,15 +116,17 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
     def list_rows(
         start: "i4*", order: "i4*", near_x: "f4*", near_y: "f4*", near_z: "f4*", counts: "i8*", lengths: "f8*", limit2: "f8*",
         x: "f4*", y: "f4*", z: "f4*", rows: "i4*", room: "i8", left_first: "i8*", left_out: "i4*", stamp: "i4*",
-        found: "i4*", edge: "u1*", listed: "i4*", width: "i8",
+        found: "i4*", edge: "u1*", at_first: "i4*", listed: "i4*", most_listed: "i8", one: "i8", from_row: "i8", to_row: "i8",
     ) -> "f8":
-        """found[i]: how many neighbors row i has, listed[i*width ...]: their rows. edge[i]: some may be
-        periodic images in x (1), y (2), z (4).
+        """Rows from_row to to_row, in the order of cells. found[i]: how many neighbors row i has, listed[at_first[i] ...]: their rows,
+        most_listed of all and one of a row at most. edge[i]: some may be periodic images in x (1), y (2), z (4).
 
         x, y, z, rows: room for candidates. left_out[left_first[i]:left_first[i + 1]]: rows that are no neighbors of row i; stamp: (rows,)
-        of -1, scratch. Returns the most that any row has, or ROOM (for candidates), or WIDTH.
+        of -1, scratch. Returns the most that any row has, more than one
+        where a row has too many, or ROOM (for candidates), or FULL.
         """
         most = 0
+        at = 0
         reach2 = limit2[0]
         for cz in range(counts[2]):
             for cy in range(counts[1]):
@@ -132,7 +134,7 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
                     c = (cz * counts[1] + cy) * counts[0] + cx
                     begin = int(start[c])
                     end = int(start[c + 1])
-                    if begin == end:
+                    if begin == end or order[begin] >= to_row or order[end - 1] < from_row:  # rows of a cell ascend
                         continue
                     m = 0
                     image = 0
@@ -178,46 +180,53 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
                     store(rows, m, splat_whole(0, WIDE))
                     for p in range(begin, end):
                         i = int(order[p])
+                        if i < from_row or i >= to_row:
+                            continue
+                        if at + m + WIDE > most_listed:
+                            return FULL
+                        first = at
                         xi = splat_single(near_x[p], WIDE)
                         yi = splat_single(near_y[p], WIDE)
                         zi = splat_single(near_z[p], WIDE)
-                        at = i * width
-                        full = at + width - WIDE
                         for k in range(0, m, WIDE):
                             dx = load(x, k, WIDE) - xi
                             dy = load(y, k, WIDE) - yi
                             dz = load(z, k, WIDE) - zi
                             j = load(rows, k, WIDE)
                             take = (dx * dx + dy * dy + dz * dz < reach2) & (j != i)
-                            if at > full:
-                                return WIDTH
                             at += compress(listed, at, j, take)
                         if excluding and left_first[i] < left_first[i + 1]:
                             for q in range(left_first[i], left_first[i + 1]):
                                 stamp[int(left_out[q])] = i
                             stop = at
-                            at = i * width
-                            for k in range(at, stop, WIDE):
-                                here = count_up(k - i * width, WIDE) < stop - i * width
+                            at = first
+                            for k in range(first, stop, WIDE):
+                                here = count_up(k, WIDE) < stop
                                 j = select(here, load(listed, k, WIDE), splat_whole(i, WIDE))
                                 at += compress(listed, at, j, here & (gather(stamp, j, 0) != i))
-                        found[i] = at - i * width
+                        if at - first > one:
+                            return float(at - first)
+                        at_first[i] = first
+                        found[i] = at - first
                         edge[i] = image
-                        most = max(most, at - i * width)
+                        most = max(most, at - first)
         return float(most)
 
     return list_rows
 
 
-def weaving() -> Function:
+def weaving(types: int) -> Function:
+    """types: of atoms, where entries hold them; else 1."""
+
     def weave(
-        listed: "i4*", width: "i8", found: "i4*", edge: "u1*", first: "i8*", depth: "i4*", edges: "u1*", neighbors: "i4*", room: "i8",
-        filler: "i8", blocks: "i8",
+        listed: "i4*", at_first: "i4*", found: "i4*", edge: "u1*", kinds: "i4*", first: "i8*", depth: "i4*", edges: "u1*",
+        neighbors: "i4*", room: "i8", filler: "i8", begin: "i8", end: "i8",
     ) -> "f8":
-        """Rows of eight atoms side by side. neighbors[first[b] + 8 k ...]: entry k of the eight rows of block b, depth[b] of them;
-        edges[b]: edge of any of its rows; filler: the row that pads. Returns how many entries, or ROOM."""
-        at = 0
-        for b in range(blocks):
+        """Rows of eight atoms side by side, blocks begin to end, behind those before. neighbors[first[b] + 8 k ...]: entry k of the eight rows of
+        block b, depth[b] of them; edges[b]: edge of any of its rows; filler: the row that pads. Returns how many entries there are, or ROOM.
+        """
+        at = first[begin]
+        for b in range(begin, end):
             deepest = 0
             image = 0
             for k in range(LANES * b, LANES * b + LANES):
@@ -225,15 +234,17 @@ def weaving() -> Function:
                 image |= int(edge[k])
             if at + LANES * deepest > room:
                 return ROOM
-            first[b] = at
             depth[b] = deepest
             edges[b] = image
             have = load(found, LANES * b, LANES)
-            rows = count_up(0, LANES) * splat_whole(width, LANES)
+            rows = load(at_first, LANES * b, LANES)
             for k in range(deepest):
-                j = gather(listed, rows, LANES * b * width + k)
-                store(neighbors, at, select(have > k, j, splat_whole(filler, LANES)) * splat_whole(3, LANES))
+                j = select(have > k, gather(listed, rows, k), splat_whole(filler, LANES)) * splat_whole(3, LANES)
+                if types > 1:
+                    j = j + (gather(kinds, j, 0) - splat_whole(1, LANES)) * splat_whole(SPAN, LANES)
+                store(neighbors, at, j)
                 at += LANES
+            first[b + 1] = at
         return float(at)
 
     return weave

@@ -11,18 +11,20 @@ from pylmp.kernels.simd import some
 
 @dataclass(frozen=True)
 class PairTerm:
-    """law(r2, dot, factor, c) -> (force over r, energy), c of width numbers. one_type: they are the same for all."""
+    """law(r2, dot, factor, c) -> (force over r, energy), c of width numbers. types: of atoms, if few; 0: many. packed: entries of the neighbor list hold them."""
 
     law: Function
     width: int
     velocity: bool
-    one_type: bool
+    types: int
+    packed: bool = False
 
 
 @dataclass(frozen=True)
 class BondTerm:
     """law(r2, dot, history, c) -> (force over r, energy, history, alive).
 
+    types       of bonds, if few; 0: many
     memory      numbers a bond remembers; reference: the first is the length at the first evaluation
     can_break   the law may say that a bond is not alive
     instead     a broken bond's atoms interact as a pair from the next step on
@@ -34,7 +36,7 @@ class BondTerm:
     width: int
     memory: int
     velocity: bool
-    one_type: bool
+    types: int
     reference: bool
     can_break: bool
     instead: bool
