@@ -94,8 +94,8 @@ class Leap:
             for hook in run.hooks[name] if name not in _ELSEWHERE else ():
                 fix = hook.__self__
                 calls = fix.calls(sim, name)
-                if calls is None and name == "end_of_step" and fix.every > 1:
-                    self._pauses.append(fix.every)
+                if calls is None and (pause := fix.every if name == "end_of_step" else fix.pause) > 1:
+                    self._pauses.append(pause)
                     continue
                 if calls is None or (calls and name in ("pre_force", "end_of_step")):
                     self._able = False

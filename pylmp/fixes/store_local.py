@@ -24,7 +24,7 @@ class StoreLocal(Fix):
 
     def __init__(self, sim: Any, identity: str, every: int, attributes: tuple[str, ...]) -> None:
         self.id, self.group, self.bit = identity, "all", 1
-        self.interval = every
+        self.interval = self.pause = every
         self.attributes = attributes
         self.columns = len(attributes)
         self.compatible_every = every

@@ -31,6 +31,7 @@ class Fix:
 
     style   the name a script uses
     every   end_of_step runs on multiples of this step count
+    pause   hooks that calls says nothing of do something on multiples of this step count only
     integrates    it moves atoms (LAMMPS warns when no fix of a run does)
     changes_box   it changes the box during the run
     next_rebuild  on this step the neighbor lists are made anew, whatever neigh_modify says
@@ -62,6 +63,7 @@ class Fix:
     compatible_every: int = 1
     leads: ClassVar[bool] = False
     every: int = 1
+    pause: int = 1
     internal = False  # made by a style, not by a fix command
     born = 0
 
