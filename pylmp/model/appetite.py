@@ -45,23 +45,21 @@ def appetite(sim: Simulation) -> Appetite:
         for periodic, length in list(zip(box.periodic, box.length.tolist(), strict=True))[: sim.dimension]
     )
     ball = math.pi * cut * cut * (1.0 if flat else 4.0 / 3.0 * cut)
-    filled = _filled(sim)
+    filled = _filled(sim, cut)
     near = 0.5 * n * ball / filled if filled > 0.0 else 0.0
-    if not all(box.periodic[: sim.dimension]):
-        near = min(near, 0.5 * n)
+    near = min(near, 0.5 * n * grown)  # there are no more atoms, images included
     arrays = sum(array.nbytes for array in vars(sim.atoms).values() if isinstance(array, np.ndarray))
     return Appetite(n, n * (grown - 1.0), n * near, max(0.0, float(arrays - _ARRAYS * n)))
 
 
-def _filled(sim: Simulation) -> float:
-    """Volume (area) of the part of the box where there are atoms."""
+def _filled(sim: Simulation, cut: float) -> float:
+    """Volume (area) of the part of the box where there are atoms, no thinner than the cutoff: of a sheet a ball holds a disk."""
     box, n, d = sim.box, sim.atoms.n, sim.dimension
     if n < 2:
         return box.volume
     x = sim.atoms.x[:n, :d]
-    extent = x.max(axis=0) - x.min(axis=0)
-    spacing = (float(np.prod(np.maximum(extent, 1e-300))) / n) ** (1.0 / d)
-    return min(box.volume, float(np.prod(extent + spacing)))
+    extent = np.minimum(np.maximum((x.max(axis=0) - x.min(axis=0)) * (1.0 + n ** (-1.0 / d)), cut), box.length[:d])
+    return min(box.volume, float(np.prod(extent)))
 
 
 def check_appetite(sim: Simulation) -> None:

@@ -255,6 +255,19 @@ def test_counts_that_memory_is_estimated_from(tmp_path: Path) -> None:
     assert isinstance(Simulation(Console()), Simulation)
 
 
+@pytest.mark.parametrize("shape", ["block 0 40 0 40 3 3.5", "sphere 20 20 20 3", "block 0 40 3 3.5 3 3.5"])
+def test_sheets_balls_and_threads_in_a_large_box_are_not_taken_for_more_than_they_are(shape: str, tmp_path: Path) -> None:
+    from tests.support import simulate
+
+    head = f"units lj\nlattice sc 8.0\nregion b block 0 40 0 40 0 40\nregion s {shape}\ncreate_box 1 b\ncreate_atoms 1 region s\nmass 1 1\n"
+    force = "displace_atoms all random 0.01 0.01 0.01 5\npair_style lj/cut 2.5\npair_coeff * * 1 1\n"
+    sim, _ = simulate(head + force, tmp_path)
+    sim.init()
+    log = lammps(head + force + "run 0\n", tmp_path / "lammps").log
+    neighbors = float(re.search(r"Total # of neighbors = (\d+)", log)[1])  # type: ignore[index]
+    assert 0.6 * neighbors < appetite(sim).neighbors < 2.5 * neighbors
+
+
 @pytest.mark.parametrize(("kind", "name"), EXAMPLES)
 def test_curves(kind: str, name: str) -> None:
     """The force that is drawn is the slope of the energy that is drawn; what is marked lies in the picture."""
