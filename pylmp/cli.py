@@ -19,6 +19,7 @@ from pylmp.session import SIGNALLED, WRONG, Session
 from pylmp.tools.permits import add_switches
 
 USAGE = 2
+MOST_THREADS = 64
 ENGINES = ("auto", "exact", "fast", "lammps")
 
 
@@ -57,6 +58,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _script_after_var(options)
     if options.script is None and options.input is None and sys.stdin.isatty():
         _parser().print_help()
+        return USAGE
+    if options.threads is not None and not 1 <= options.threads <= MOST_THREADS:
+        print(f"pylmp: error: --threads takes a number from 1 to {MOST_THREADS}", file=sys.stderr)
         return USAGE
     if any(len(variable) < 2 for variable in options.var):
         print("pylmp: error: -var takes a name and at least one value", file=sys.stderr)
@@ -114,6 +118,10 @@ def _parser() -> argparse.ArgumentParser:
         "--engine", default="auto", choices=ENGINES,
         help="who carries out the runs: auto or fast, the fast engine where it can, else the exact one; exact, which has the bits of LAMMPS; "
         "lammps (default: auto)",
+    )  # fmt: skip
+    add(
+        "--threads", type=int, metavar="N",
+        help="threads of the fast engine; results do not depend on it (default: OMP_NUM_THREADS, else 1)",
     )  # fmt: skip
     add_switches(parser)
     add("--max-commands", type=int, metavar="N", help="stop a script that carries out more commands (default: no limit)")

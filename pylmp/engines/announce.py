@@ -23,4 +23,5 @@ class Announcer:
             return
         self._said = engine
         came = f"{new} compiled" if new == many else f"{many - new} from the store, {new} compiled" if new else "from the store"
-        sim.console.both(f"Engine {engine}: {many} kernels ({came}), 1 thread, {PRECISION[engine]}\n")
+        threads = f"{sim.team.threads} threads" if engine == "fast" and sim.team.threads > 1 else "1 thread"
+        sim.console.both(f"Engine {engine}: {many} kernels ({came}), {threads}, {PRECISION[engine]}\n")

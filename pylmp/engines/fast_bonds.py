@@ -15,6 +15,7 @@ from pylmp.kernels.fast.terms import BondTerm
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel
+from pylmp.kernels.team import PARTS
 from pylmp.model.bond import bond_pairs
 from pylmp.text.diagnostic import ScriptError
 
@@ -101,7 +102,7 @@ class FastBonds:
     def _allocate(self, slots: int, count: int) -> None:
         self.slots = slots
         room = slots + LANES
-        self.to, self.kind, self.broken, self.noted = (np.zeros(room + 1, np.int32) for _ in range(4))
+        self.to, self.kind, self.broken, self.noted = (np.zeros(room + PARTS, np.int32) for _ in range(4))
         self.owner, self.home = np.full(room, -1, np.int32), np.full(room, -1, np.int32)
         self.memories = np.zeros(max(1, self.memory) * slots + LANES)
         self.first, self.depth = np.zeros(count + 1, np.int64), np.zeros(count + 1, np.int32)
@@ -158,6 +159,23 @@ class FastBonds:
     def forgetting(self) -> Callable[[], float]:
         """A call for when there is a new list: it has the atoms of broken bonds."""
         return kernel(self._clear).bind(self.kind, self.slots if self.part.updates_special else 0)
+
+    def said_by(self, k: int, begin: int) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+        """Where the k-th part of the forces, which begins at block begin, says what broke, and what must be reported."""
+        start = int(self.first[begin])
+        return self.broken[start:], self.noted[start + k :]
+
+    def collect(self, begins: list[int], counts: Ints) -> None:
+        """What the parts said, counts slots of each broken, one behind the other as if it were one part."""
+        broken = notes = 0
+        for k, (begin, count) in enumerate(zip(begins, counts.tolist(), strict=True)):
+            said, noted = self.said_by(k, begin)
+            self.broken[broken : broken + count] = said[:count]
+            broken += count
+            more = int(noted[0])
+            self.noted[1 + notes : 1 + notes + more] = noted[1 : 1 + more]
+            notes += more
+        self.noted[0] = notes
 
     def book(self, sim: Simulation, count: int) -> None:
         """Bookkeeping for count slots of broken, one at each end of a bond."""

@@ -22,6 +22,7 @@ from pylmp.kernels.fast.renewal import hold, look_out, renew
 from pylmp.kernels.fast.terms import BondTerm, PairTerm, idle, joined
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel, prepare
+from pylmp.kernels.team import PARTS, cuts
 from pylmp.model.asking import ENERGY, SHARED, VIRIAL, level_of, levels
 from pylmp.model.bondlist import store_reference
 from pylmp.model.lost import check_bonded
@@ -75,8 +76,8 @@ class FastForces:
         self._may_break = np.zeros(1, np.int64)
         self._reports = any(listed.part.style.report is not None for listed in self.bonds)
         self._moved_call: Call = lambda: 0.0
-        self._sums = np.zeros((max(1, len(self.bonds)), TALLIES))
-        self._part_sums = np.zeros((len(self._single), TALLIES))
+        self._sums = np.zeros((max(1, len(self.bonds)), PARTS, TALLIES))
+        self._part_sums = np.zeros((len(self._single), PARTS, TALLIES))
         self._kinds = np.zeros(0, np.int32)
         self.least, self.most = np.zeros(3), np.zeros(3)
         self._scratch = np.zeros(6 * LANES)
@@ -115,7 +116,7 @@ class FastForces:
     def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
         """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""
         functions = [*chain(*self._kernels.values()), *self._single, self._moved, self._extent, self._beyond, *sim.box.functions(), self._hold]
-        functions += [renew, drive, *more]
+        functions += [renew, drive, *sim.team.functions(), *more]
         for listed in self.bonds:
             functions += listed.functions()
         if self.lists is not None:
@@ -203,17 +204,17 @@ class FastForces:
         if self._single and len(self._scrap) < rows + 1:
             self._scrap = np.zeros((rows + 1, 3))
         self._calls = {
-            level: [self._bound(sim, function, k, self._sums[k], atoms.f) for k, function in enumerate(functions)]
+            level: [self._bound(sim, level, function, k, self._sums[k], atoms.f) for k, function in enumerate(functions)]
             for level, functions in self._kernels.items()
         }
         self._part_calls = [
-            self._bound(sim, function, 0, sums, self._scrap, part) for function, sums, part in zip(self._single, self._part_sums, self.parts, strict=False)
+            self._bound(sim, 1, function, 0, sums, self._scrap, part) for function, sums, part in zip(self._single, self._part_sums, self.parts, strict=False)
         ]
         self._limit2[0] = 0.25 * sim.neighbor.skin * sim.neighbor.skin
-        self._moved_call = kernel(self._moved).bind(atoms.x, self._held, self._limit2, atoms.n)
+        self._moved_call = sim.team.split(atoms.n, lambda a, b: kernel(self._moved).bind(atoms.x[a:], self._held[a:], self._limit2, b - a))
 
-    def _bound(self, sim: Simulation, function: Function, k: int, sums: Floats, f: Floats, part: PairPart | None = None) -> Call:
-        """The k-th loop, bound; part: of this one alone."""
+    def _bound(self, sim: Simulation, level: int, function: Function, k: int, sums: Floats, f: Floats, part: PairPart | None = None) -> Call:
+        """The k-th loop of a level, bound, its parts a job of the team; part: of this pair style alone."""
         atoms, lists, bonds = sim.atoms, self.lists, self.bonds[k] if self.bonds else None
         whole, small, tiny, number = self._nothing
         listing = (lists.first, lists.depth, lists.edges, lists.neighbors, lists.weights) if lists else (whole, small, tiny, small, number)
@@ -223,10 +224,20 @@ class FastForces:
             if bonds
             else (whole, small, small, small, number, 0, number)
         )
-        return kernel(function).bind(
-            atoms.x, atoms.v, f, self._kinds, *listing, table, len(table), *listed, self._length, sums, *self._shares,
-            *((bonds.broken, bonds.noted) if bonds else (small, small)), self._may_break, 0, blocks(atoms.n),
-        )  # fmt: skip
+        calls = []
+        for p, (begin, end) in enumerate(self._cut(sim, level)):
+            said = bonds.said_by(p, begin) if bonds else (small, small)
+            calls.append(kernel(function).bind(
+                atoms.x, atoms.v, f, self._kinds, *listing, table, len(table), *listed, self._length, sums[p], *self._shares, *said,
+                self._may_break, begin, end,
+            ))  # fmt: skip
+        return sim.team.job(calls)
+
+    @staticmethod
+    def _cut(sim: Simulation, level: int) -> list[tuple[int, int]]:
+        """Blocks of each part of a loop. Where it sums something the parts are the same for any number of threads."""
+        count = blocks(sim.atoms.n)
+        return cuts(count, LANES) if level or sim.team.threads > 1 else [(0, count)]
 
     # ---- every step -------------------------------------------------------------------------------------------
 
@@ -249,9 +260,10 @@ class FastForces:
             self._may_break[0] = not setup or (listed is not None and listed.part.style.breaks_in_setup)
             broken = int(call())
             if listed is not None and listed.part.style.report is not None:
+                self._collect(sim, level, k)
                 listed.report(sim)
             if broken:
-                self.book(sim, broken, k)
+                self.book(sim, broken, k, level)
         if level:
             self._sum(sim, level)
 
@@ -261,12 +273,12 @@ class FastForces:
             sim.tally.pair_shares, sim.tally.bond_shares = shares = self._shares[:, :n].copy()
             (pair, *pair_virial), (bond, *bond_virial) = shares.sum(axis=1).tolist()
         else:
-            sums = self._sums.sum(axis=0).tolist()
+            sums = self._sums.sum(axis=(0, 1)).tolist()
             pair, bond, pair_virial, bond_virial = sums[0] + sums[2], sums[1], sums[3:9], sums[9:]
         sim.tally.pair, sim.tally.bond = pair, bond
         sim.tally.pair_virial[:] = pair_virial
         sim.tally.bond_virial[:] = bond_virial
-        for part, energy in zip(self.parts, self._part_sums[:, 0].tolist() if self._single else [self._sums[0, 0]], strict=False):
+        for part, energy in zip(self.parts, self._part_sums[:, :, 0].sum(axis=1).tolist() if self._single else [self._sums[0, :, 0].sum()], strict=False):
             part.energy = float(energy)
 
     def quiet(self) -> tuple[Call, Call] | None:
@@ -278,9 +290,17 @@ class FastForces:
         """From now on bonds may break."""
         self._may_break[0] = 1
 
-    def book(self, sim: Simulation, count: int, k: int = 0) -> None:
-        """Bonds of the k-th style broke in the last evaluation: count slots."""
+    def book(self, sim: Simulation, count: int, k: int = 0, level: int = 0) -> None:
+        """Bonds of the k-th style broke in the last evaluation, at this level: count slots."""
+        if self.bonds[k].part.style.report is None:
+            self._collect(sim, level, k)
         self.bonds[k].book(sim, count)
+
+    def _collect(self, sim: Simulation, level: int, k: int) -> None:
+        """What the parts of the last job say of bonds, in one list."""
+        begins = [begin for begin, _ in self._cut(sim, level)]
+        if len(begins) > 1:
+            self.bonds[k].collect(begins, sim.team.results[: len(begins)].astype(np.int64))
 
     def anybody_moved(self, sim: Simulation) -> bool:
         """Has an atom moved more than half the skin, less what the faces moved, since the last build?"""

@@ -50,7 +50,7 @@ class Leap:
         steps = min([end + 1, *(at for at in events if at > sim.step)]) - 1 - sim.step
         if steps <= 0:
             return False
-        steps = min(steps, max(1, _ATOM_STEPS // max(1, sim.atoms.n)))
+        steps = min(steps, max(1, sim.team.threads * _ATOM_STEPS // max(1, sim.atoms.n)))
         self._leap(run, steps)
         return True
 

@@ -31,7 +31,6 @@ class NVE(Fix):
             args.fail("Unsupported additional arguments for fix nve", args.peek())
         scene = bit == 1, sim.atom_types == 1
         self._first, self._second = integrate.kick_and_drift(*scene), integrate.kick(*scene)
-        self._kicks = np.zeros(sim.atom_types + 1)
         self._calls: tuple[Callable[[], float], Callable[[], float]] = (lambda: 0.0, lambda: 0.0)
 
     def functions(self) -> list[Any]:
@@ -40,10 +39,14 @@ class NVE(Fix):
     def post_neighbor(self, sim: Simulation) -> None:
         atoms, types = sim.atoms, sim.atom_types
         half = 0.5 * sim.dt * sim.units.ftm2v
-        kinds = atoms.type, atoms.mask, sim.mass, self._kicks
+
+        def rows(begin: int) -> tuple[Any, ...]:
+            kicks = np.zeros(types + 1)
+            return atoms.v[begin:], atoms.f[begin:], atoms.type[begin:], atoms.mask[begin:], sim.mass, kicks, half
+
         self._calls = (
-            kernel(self._first).bind(atoms.x, atoms.v, atoms.f, *kinds, half, sim.dt, types, self.bit, atoms.n),
-            kernel(self._second).bind(atoms.v, atoms.f, *kinds, half, types, self.bit, atoms.n),
+            sim.team.split(atoms.n, lambda a, b: kernel(self._first).bind(atoms.x[a:], *rows(a), sim.dt, types, self.bit, b - a)),
+            sim.team.split(atoms.n, lambda a, b: kernel(self._second).bind(*rows(a), types, self.bit, b - a)),
         )
 
     def reset_dt(self, sim: Simulation) -> None:

@@ -16,13 +16,14 @@ from numba import types
 from numba.extending import intrinsic, overload
 
 from pylmp import laws
-from pylmp.kernels import machine, simd
+from pylmp.kernels import atomic as atomic  # teaches the words of sharing.py
+from pylmp.kernels import machine, sharing, simd
 from pylmp.kernels.simd import memory as memory  # teaches its words
 from pylmp.kernels.simd.emit import choose, lane, magnitude, root, with_lane
 from pylmp.kernels.simd.vector import Vector
 from pylmp.kernels.simd.word import INDEX, LONG
 
-WORDS: frozenset[Callable[..., Any]] = simd.WORDS | machine.WORDS | {
+WORDS: frozenset[Callable[..., Any]] = simd.WORDS | machine.WORDS | sharing.WORDS | {
     laws.select, laws.sqrt, laws.fabs, laws.exp, laws.log, laws.sin, laws.cos, laws.power, laws.whole,
     laws.single, laws.bits,
 }  # fmt: skip

@@ -18,7 +18,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-_SUPPORT = ("alphabet.py", "compile.py", "simd/vector.py", "simd/word.py", "simd/memory.py", "simd/emit.py")  # they teach the compiler the alphabet: every byte counts
+_SUPPORT = ("alphabet.py", "atomic.py", "compile.py", "simd/vector.py", "simd/word.py", "simd/memory.py", "simd/emit.py")  # they teach the compiler the alphabet: every byte counts
 _UNDERSTOOD = {"builtins", "math", "operator"}  # what numba itself compiles; its version is in the key
 
 Put = Callable[[bytes | str], None]

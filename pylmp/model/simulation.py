@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pylmp.kernels.store import release
+from pylmp.kernels.team import Team
 from pylmp.model.asking import Asking
 from pylmp.model.atom_style import ATOM_STYLES
 from pylmp.model.atoms import MOST_TYPES, Atoms, check_count
@@ -50,6 +51,7 @@ class Simulation:
     report             RunReport of the last run, None before
     interrupts         whether Ctrl-C or SIGTERM came
     engine             who carries out runs
+    team               threads that help with kernels
     script             the interpreter that feeds commands (flow control, variables)
     """
 
@@ -68,6 +70,7 @@ class Simulation:
     def __init__(self, console: Console, engine: Engine | None = None) -> None:
         self.console = console
         self.engine = engine
+        self.team = Team()
         self.script: Any = None
         self.strict = False
         self.timer = Timer()
