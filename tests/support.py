@@ -45,16 +45,18 @@ def frames(path: Path) -> list[tuple[int, list[str], np.ndarray]]:
     return result
 
 
-def simulate(script: str, folder: Path, engine=None, screen: io.StringIO | None = None):
+def simulate(script: str, folder: Path, engine=None, screen: io.StringIO | None = None, threads: int = 1):
     """Run script in this process on pylmp in folder, on the exact engine or another; returns (simulation, screen text). Errors are raised."""
     from pylmp.engines.exact import Exact
     from pylmp.interpreter import run_text
+    from pylmp.kernels.team import Team
     from pylmp.model.console import Console
     from pylmp.model.simulation import Simulation
 
     folder.mkdir(parents=True, exist_ok=True)
     screen = screen or io.StringIO()
     sim = Simulation(Console(screen, None), engine or Exact())
+    sim.team = Team(threads)
     before = Path.cwd()
     os.chdir(folder)
     try:

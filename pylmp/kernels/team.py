@@ -1,12 +1,11 @@
 """Threads that help with kernels.
 
 Each helper is a thread of Python that enters machine code (``fork.serve``) and looks for work there, without Python's lock. When there
-was none for a while, or a run is over, it comes back and waits in Python until it is called again.
+was none for a while it comes back and waits in Python until it is called again. Helpers live as long as a run.
 """
 
 from __future__ import annotations
 
-import atexit
 import ctypes
 import os
 import threading
@@ -26,7 +25,6 @@ Call = Callable[[], float]
 PARTS = 16  # of a job: more than threads, so that one that is late takes fewer
 _LEAST = 64  # atoms in a part: where there would be fewer, a job is one part
 _PATIENCE = 0.03  # seconds that a helper looks for work: longer than what the caller does alone between jobs
-_GOODBYE = 1.0  # seconds that the end of the process waits for a helper
 
 
 @cache
@@ -60,7 +58,6 @@ class Team:
         self._parts = np.zeros(2 * loops.MOST_PARTS, np.int64)
         self._bells: list[threading.Event] = []
         self._helpers: list[threading.Thread] = []
-        self._closing = False
         self._fork: Function = loops.fork
         self._serve: Function = loops.serve
 
@@ -84,39 +81,30 @@ class Team:
 
     def gather(self) -> None:
         """Helpers look for work from now on."""
-        if self.threads == 1:
-            return
-        if not self._helpers:
-            self._hire()
-        self._mailbox[loops.DISMISSED] = 0
+        if self.threads > 1 and not self._helpers:
+            self._mailbox[loops.DISMISSED] = 0
+            self._bells = [threading.Event() for _ in range(1, self.threads)]
+            self._helpers = [threading.Thread(target=self._help, args=(bell,), daemon=True) for bell in self._bells]
+            for helper in self._helpers:
+                helper.start()
         for bell in self._bells:
             if not bell.is_set():
                 bell.set()
 
     def dismiss(self) -> None:
-        """Helpers need not look for work any more."""
+        """Helpers end: this process may fork again, and none of them is in machine code when it ends."""
         self._mailbox[loops.DISMISSED] = 1
-
-    def _hire(self) -> None:
-        for k in range(1, self.threads):
-            bell, room = threading.Event(), np.zeros(2, np.int64)
-            call = kernel(self._serve).bind(self._mailbox, self._parts, self.results, way(), *(clock() or (0, 0)), room, _PATIENCE)
-            helper = threading.Thread(target=self._help, args=(bell, call), name=f"pylmp helper {k}", daemon=True)
-            self._bells.append(bell)
-            self._helpers.append(helper)
-            helper.start()
-        atexit.register(self.close)
-
-    def _help(self, bell: threading.Event, call: Any) -> None:
-        while bell.wait() and not self._closing:
-            call()
-            bell.clear()
-
-    def close(self) -> None:
-        """Helpers end: none of them may be in machine code when the process takes it down."""
-        self._closing = True
-        self.dismiss()
         for bell, helper in zip(self._bells, self._helpers, strict=True):
             bell.set()
-            helper.join(_GOODBYE)
-        atexit.unregister(self.close)
+            helper.join()
+        self._bells, self._helpers = [], []
+
+    def _help(self, bell: threading.Event) -> None:
+        room = np.zeros(2, np.int64)
+        given = [self._mailbox, self._parts, self.results, way() or 0, *(clock() or (0, 0)), room, _PATIENCE]
+        serve = kernel(self._serve).bind(*given)
+        while not self._mailbox[loops.DISMISSED]:
+            serve()
+            bell.clear()  # whoever rings between these two lines rings again before the next steps
+            if not self._mailbox[loops.DISMISSED]:
+                bell.wait()
