@@ -1,6 +1,6 @@
 """Threads that help with kernels.
 
-Each helper is a thread of Python that enters machine code (``fork.serve``) and looks for work there, without Python's lock. When there
+Each helper is a thread of Python that enters machine code (``fast/fork.py``) and looks for work there, without Python's lock. When there
 was none for a while it comes back and waits in Python until it is called again. Helpers live as long as a run.
 """
 
@@ -12,11 +12,10 @@ import threading
 from collections.abc import Callable
 from functools import cache
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
-from pylmp.kernels import fork as loops
+from pylmp.kernels.fast import fork as loops
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.machine import clock
 from pylmp.kernels.store import entry, kernel
