@@ -9,17 +9,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pylmp.engines.fast_bonds import FastBonds, LeftOut
+from pylmp.engines.fast_compose import Composer, table_of
 from pylmp.engines.fast_list import FullList
 from pylmp.engines.ghost_list import GhostList
 from pylmp.kernels.exact import SHARES
 from pylmp.kernels.exact import neighbor as neighbor_loops
 from pylmp.kernels.fast import FAR, blocks, nobody
 from pylmp.kernels.fast import neighbor as loops
-from pylmp.kernels.fast.choosing import few_types
 from pylmp.kernels.fast.driver import drive
-from pylmp.kernels.fast.forces import TALLIES, force_loop
+from pylmp.kernels.fast.forces import TALLIES
 from pylmp.kernels.fast.renewal import hold, look_out, renew
-from pylmp.kernels.fast.terms import BondTerm, PairTerm, idle, joined
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel, prepare
 from pylmp.kernels.team import PARTS, cuts
@@ -35,12 +34,6 @@ if TYPE_CHECKING:
 
 Call = Callable[[], float]
 Step = tuple[Call, float, float]
-
-
-def table_of(parts: list[PairPart]) -> tuple[Floats, list[int]]:
-    """(nt+1, nt+1, width) what the joined law of parts receives, and how much of it each of them."""
-    tables = [part.table for part in parts] or [np.zeros((8, 8, 0))]
-    return tables[0] if len(tables) == 1 else np.concatenate(tables, axis=2), [part.width for part in parts]
 
 
 def _of_last_run(sim: Simulation) -> FullList | None:
@@ -64,9 +57,10 @@ class FastForces:
         if listing:
             self.lists = GhostList(sim) if ghosts else FullList(sim, _of_last_run(sim))
         self.parts = [part for part in sim.pair.working if part.settings.compute] if sim.pair and listing else []
-        self._table, self._width = table_of(self.parts)
-        self._kernels = {level: self._compose(sim, level) for level in levels(sim)}
-        self._single = self._compose_parts(sim) if len(self.parts) > 1 else []
+        self._table, _ = table_of(self.parts)
+        composer = Composer(sim, self.parts, self.bonds, self.lists, ghosts)
+        self._kernels = {level: composer.loops(level) for level in levels(sim)}
+        self._single = composer.of_each_pair_style() if len(self.parts) > 1 else []
         self._moved, self._extent, self._beyond = neighbor_loops.moved(), loops.extents(), look_out(sim.box.periodic)
         self._hold: Function = hold
         self._calls: dict[int, list[Call]] = {}
@@ -86,32 +80,6 @@ class FastForces:
         self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8), np.zeros((8, 8))
         self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
         self._laid_out = False  # types and bonds, for the rows as they now are
-
-    def _compose(self, sim: Simulation, level: int) -> list[Function]:
-        """A loop for each bond style, the first one over pairs too."""
-        alone = joined([part.alone for part in self.parts], self._width) if self.parts else None
-        term = self._pair_term(sim, self.parts)
-        periodic = (False, False, False) if self._ghosts else sim.box.periodic
-        weighted = self.lists is not None and self.lists.weighted
-        bonds: list[BondTerm | None] = [*(listed.term(sim, alone) for listed in self.bonds)] or [None]
-        return [
-            force_loop(term, bond, periodic, level, listed=k == 0, weighted=weighted, adds=k > 0) for k, bond in enumerate(bonds)
-        ]
-
-    def _compose_parts(self, sim: Simulation) -> list[Function]:
-        """Of several pair styles, a loop for each that sums its energy alone."""
-        periodic = (False, False, False) if self._ghosts else sim.box.periodic
-        instead = BondTerm(idle, 0, 0, False, 1, False, False, True, None, None)
-        bond = instead if self.bonds and self.bonds[0].part.updates_special else None
-        return [force_loop(self._pair_term(sim, [part]), bond, periodic, 1, weighted=self.lists.weighted) for part in self.parts]
-
-    def _pair_term(self, sim: Simulation, parts: list[PairPart]) -> PairTerm | None:
-        if not parts:
-            return None
-        widths = [part.width for part in parts]
-        law = joined([part.law for part in parts], widths)
-        packed = not self._ghosts and self.lists.types > 1
-        return PairTerm(law, sum(widths), any(part.style.velocity for part in parts), few_types(sim.atom_types), packed)
 
     def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
         """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""

@@ -19,7 +19,7 @@ FLOORS = {
     "tools": 5,
     "cli": 6, "session": 6, "__main__": 6, "__init__": 6,
 }  # fmt: skip
-COMPILER = {"kernels/compile.py", "kernels/alphabet.py", *(f"kernels/simd/{name}.py" for name in ("vector", "word", "memory", "emit"))}  # who may know numba
+COMPILER = {"kernels/compile.py", "kernels/alphabet.py", "kernels/atomic.py", *(f"kernels/simd/{name}.py" for name in ("vector", "word", "memory", "emit"))}  # who may know numba
 AT_ONCE = COMPILER - {"kernels/compile.py"}  # only the compiler imports them
 LINKER = {*COMPILER, "kernels/load.py"}  # and who llvmlite
 FILES = sorted(PACKAGE.rglob("*.py"))
