@@ -1,0 +1,1 @@
+"""Hard cases: contracts where programs of this kind fail (docs/numerics.md)."""
