@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-sys.path.insert(0, str(ROOT))
+sys.path[0] = str(ROOT)  # not the folder docs, whose coverage.py is not the package of that name
 
 from tests.engines.decks import DECKS, lacking, name, three  # noqa: E402
 

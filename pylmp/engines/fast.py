@@ -166,6 +166,7 @@ class FastRun(GhostRun):
             self.forces.moved_rows()
         if leaving:
             remove_lost(sim)
+            self.forces.measure(sim)  # without those, who may be very far away
         if sorting:
             if setup:
                 self.sorter.set_up(sim)

@@ -1,6 +1,6 @@
 """Contracts of the laws: close to 60 digits, the bits of LAMMPS on both engines, at any length.
 
-How they were broken to see them fail: r*r*r*r*r*r for s2*s2*s2 in bond quartic; 1e-15 added to its Rc.
+Seen to fail: with r^2 - 2 r Rc + Rc^2 for (r - Rc)^2 in bond quartic (units); with r > Rc (1 + 1e-15) for its limit (bits).
 """
 
 from __future__ import annotations
