@@ -106,7 +106,7 @@ class FastForces:
         atoms, box = sim.atoms, sim.box
         beyond = kernel(self._beyond).bind(self.least, self.most, box.lo, box.hi)
         always = [self._measuring(sim), beyond, box.wrapping(atoms), *(listed.forgetting() for listed in self.bonds)]
-        holding = kernel(self._hold).bind(atoms.x, self._held, atoms.n)
+        holding = sim.team.split(atoms.n, lambda a, b: kernel(self._hold).bind(atoms.x[a:], self._held[a:], b - a))
         return [*((call, 0.0, 0.0) for call in always), *(self.lists.steps if self.lists else []), (holding, 0.0, 0.0)]
 
     def copy_back(self, sim: Simulation) -> None:

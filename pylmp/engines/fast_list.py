@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from pylmp.kernels.fast.renewal import gridding, unmark
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, WIDE
 from pylmp.kernels.store import kernel
+from pylmp.kernels.team import cuts
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from pylmp.model.atoms import Floats, Ints
     from pylmp.model.simulation import Simulation
 
+PARTS = 2  # of a share for each thread: who is late takes fewer
 SHARE = LANES * 2**15  # rows that are listed before they are woven: what is listed needs room for these only
 _FEW = 64  # cells there may be, besides four an atom
 _SPARE = 1.3  # the next list may be longer; memory that nobody touches costs nothing
@@ -42,17 +44,19 @@ class FullList:
         self._sort = loops.sorting()
         self._list = loops.listing(sim.box.periodic, self._flat, self._excluding)
         self.types = few_types(sim.atom_types)  # where there are several, entries hold them
-        self._weave = loops.weaving(self.types)
+        self._place, self._weave = loops.placing(), loops.weaving(self.types)
         self._grid = gridding(sim.box.periodic, self._flat)
         self._unmark: Function = unmark
-        self._room, self._most_listed = 1024, 0
+        self._team = sim.team
+        self._parts = PARTS * sim.team.threads if sim.team.threads > 1 and len(cuts(sim.atoms.n)) > 1 else 1
+        self._room, self._most_listed = 1024, 0  # for each part
         self.first, self.depth, self.edges = np.zeros(1, np.int64), np.zeros(0, np.int32), np.zeros(0, np.uint8)
         self.neighbors = np.zeros(1024, np.int32)
         self._found, self._edge = np.zeros(0, np.int32), np.zeros(0, np.uint8)
-        self._at_first = self._listed = self._start = self._stamp = self._cell = self._order = np.zeros(0, np.int32)
+        self._at_first = self._listed = self._start = self._cell = self._order = np.zeros(0, np.int32)
+        self._stamps = [np.zeros(0, np.int32)] * self._parts
         self._near = [np.zeros(0, np.float32)] * 3
-        self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]
-        self._candidate_rows = np.zeros(self._room, np.int32)
+        self._candidates: list[tuple[NDArray[Any], ...]] = []
         self._corner, self._inverse, self._length, self._counts = np.zeros(3), np.zeros(3), np.zeros(3), np.ones(3, np.int64)
         self._limit2 = np.zeros(1)
         self.steps: list[Step] = []  # what build called, and between what each result lies if all is well
@@ -60,10 +64,10 @@ class FullList:
         self._rows = 0
         if before:
             self.neighbors, self._listed = before.neighbors, before._listed
-            self._most_listed = max(0, len(self._listed) - sim.neighbor.one - WIDE)
+            self._most_listed = max(0, (len(self._listed) - sim.neighbor.one - WIDE) // self._parts)
 
     def functions(self) -> list[Function]:
-        return [self._sort, self._list, self._weave, self._grid, self._unmark]
+        return [self._sort, self._list, self._place, self._weave, self._grid, self._unmark]
 
     @property
     def count(self) -> int:
@@ -97,43 +101,60 @@ class FullList:
             raise ScriptError("Non-numeric atom coords - simulation unstable", hint="a smaller timestep, or forces that do not diverge")
         excluded = (left_out.first, left_out.rows) if self._excluding and left_out else self._nothing
         self.steps = [(grid, 0.0, 0.0), (sort, 0.0, 0.0)]
-        if self._excluding:
-            blank = kernel(self._unmark).bind(self._stamp, len(self._stamp))
+        for stamp in self._stamps if self._excluding else ():
+            blank = kernel(self._unmark).bind(stamp, len(stamp))
             blank()
             self.steps.append((blank, 0.0, 0.0))
         shares = [(begin, min(begin + SHARE, n)) for begin in range(0, n, SHARE)]
         for begin, end in shares:
             self._build_share(sim, excluded, kinds, begin, end)
         for begin, end in shares:  # bound only now: later shares may have moved the arrays
-            listing, weave = self._listing(excluded, sim.neighbor.one, begin, end), self._weaving(n, kinds, begin, end)
-            self.steps += [(listing, 0.0, sim.neighbor.one), (weave, 0.0, np.inf)]
+            listing = self._team.job(self._listing(excluded, n, sim.neighbor.one, begin, end))
+            self.steps += [(call, 0.0, 0.0) for call in (listing, self._placing(begin, end), self._weaving(n, kinds, begin, end))]
         self._rows = n
 
     def _build_share(self, sim: Simulation, excluded: tuple[Ints, Small], kinds: Small, begin: int, end: int) -> None:
         """List rows begin to end and weave them, with more room where it takes more."""
         n, one = sim.atoms.n, sim.neighbor.one
-        while (deepest := self._listing(excluded, one, begin, end)()) < 0.0:
-            self._more(deepest == loops.FULL, one)
-        if deepest > one:
-            raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
-        used = int(self.first[begin // LANES])
-        room = used + LANES * int(self._found[begin : LANES * blocks(end)].reshape(-1, LANES).max(axis=1).sum())
-        if room > len(self.neighbors):
+        while said := {call() for call in self._listing(excluded, n, one, begin, end)} - {0.0}:
+            if loops.MANY in said:
+                raise ScriptError("Neighbor list overflow, boost neigh_modify one", manual="neigh_modify.html")
+            self._more(loops.FULL in said, one)
+        if self._placing(begin, end)() == loops.SHORT:
+            used, room = int(self.first[begin // LANES]), int(self.first[blocks(end)])
             woven, self.neighbors = self.neighbors[:used], np.zeros(int(_SPARE * room * n / end), np.int32)  # more shares follow
             self.neighbors[:used] = woven
         self._weaving(n, kinds, begin, end)()
 
-    def _listing(self, excluded: tuple[Ints, Small], one: int, begin: int, end: int) -> Callable[[], float]:
-        return kernel(self._list).bind(
-            self._start, self._order, *self._near, self._counts, self._length, self._limit2, *self._candidates, self._candidate_rows,
-            self._room, *excluded, self._stamp, self._found, self._edge, self._at_first, self._listed, self._most_listed, one, begin, end,
-        )  # fmt: skip
+    def _listing(self, excluded: tuple[Ints, Small], n: int, one: int, begin: int, end: int) -> list[Callable[[], float]]:
+        """Calls that list rows begin to end, each those in some of the cells, with room of its own."""
+        parts, most = self._parts, self._most_listed
+        if len(self._candidates) != parts:
+            self._candidates = [(*(np.zeros(self._room, np.float32) for _ in range(3)), np.zeros(self._room, np.int32)) for _ in range(parts)]
+        edges = [n * p // parts for p in range(parts + 1)]
+        return [
+            kernel(self._list).bind(
+                self._start, self._order, *self._near, self._counts, self._length, self._limit2, *self._candidates[p], self._room, *excluded,
+                self._stamps[p], self._found, self._edge, self._at_first, self._listed, p * most, (p + 1) * most, one, begin, end,
+                edges[p], edges[p + 1],
+            )
+            for p in range(parts)
+        ]  # fmt: skip
+
+    def _placing(self, begin: int, end: int) -> Callable[[], float]:
+        return kernel(self._place).bind(
+            self._found, self._edge, self.first, self.depth, self.edges, len(self.neighbors), begin // LANES, blocks(end)
+        )
 
     def _weaving(self, n: int, kinds: Small, begin: int, end: int) -> Callable[[], float]:
-        return kernel(self._weave).bind(
-            self._listed, self._at_first, self._found, self._edge, kinds, self.first, self.depth, self.edges, self.neighbors,
-            len(self.neighbors), nobody(n), begin // LANES, blocks(end),
-        )  # fmt: skip
+        first, last = begin // LANES, blocks(end)
+
+        def weave(a: int, b: int) -> Callable[[], float]:
+            return kernel(self._weave).bind(
+                self._listed, self._at_first, self._found, kinds, self.first, self.depth, self.neighbors, nobody(n), first + a, first + b
+            )
+
+        return self._team.split(last - first, weave, LANES)
 
     def _fit(self, n: int) -> None:
         rows = LANES * blocks(n)
@@ -142,7 +163,7 @@ class FullList:
             self.first, self.depth, self.edges = np.zeros(blocks(n) + 1, np.int64), np.zeros(blocks(n), np.int32), np.zeros(blocks(n), np.uint8)
             self._cell, self._order = np.zeros(n + WIDE, np.int32), np.zeros(n + WIDE, np.int32)
             self._near = [np.zeros(n + WIDE, np.float32) for _ in range(3)]
-            self._stamp = np.full(n + WIDE, -1, np.int32)
+            self._stamps = [np.full(n + WIDE if self._excluding else 0, -1, np.int32) for _ in self._stamps]
             self._at_first = np.zeros(rows, np.int32)
         if len(self._start) < 4 * rows + _FEW + 2:
             self._start = np.zeros(4 * rows + _FEW + 2, np.int32)
@@ -152,10 +173,9 @@ class FullList:
     def _more(self, listed: bool, one: int) -> None:
         """Room for more listed rows, or for more candidates of a cell."""
         if listed:
-            self._most_listed = 2 * self._most_listed + 2**16
+            self._most_listed = 2 * self._most_listed + 2**16 // self._parts
             self._listed = self._nothing[1]  # not both at once
-            self._listed = np.zeros(self._most_listed + one + WIDE, np.int32)  # a short row is read as far as the longest one in its block
+            self._listed = np.zeros(self._parts * self._most_listed + one + WIDE, np.int32)  # a short row is read as far as the longest one in its block
             return
         self._room *= 2
-        self._candidates = [np.zeros(self._room, np.float32) for _ in range(3)]
-        self._candidate_rows = np.zeros(self._room, np.int32)
+        self._candidates = []

@@ -9,7 +9,7 @@ import numpy as np
 from pylmp.kernels.exact.neighbor import FULL
 from pylmp.kernels.fast import blocks
 from pylmp.kernels.fast.layout import laying_out
-from pylmp.kernels.fast.neighbor import ROOM
+from pylmp.kernels.fast.neighbor import SHORT
 from pylmp.kernels.store import kernel
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.neighbor import NeighborList
@@ -47,10 +47,10 @@ class GhostList:
             self.first, self.depth, self.edges = np.zeros(count, np.int64), np.zeros(count, np.int32), np.zeros(count, np.uint8)
         kinds = np.array([1.0, *sim.special.lj])
         while True:
-            entries = kernel(self._lay_out).bind(
+            lacking = kernel(self._lay_out).bind(
                 listed.first, listed.neighbors, kinds, self.first, self.depth, self.neighbors, self.weights, len(self.neighbors), filler, count, n
             )()
-            if entries != ROOM:
+            if lacking != SHORT:
                 break
             self.neighbors = np.zeros(2 * len(self.neighbors), np.int32)
             self.weights = np.zeros(len(self.neighbors) if self.weighted else 1)

@@ -72,9 +72,9 @@ class Team:
         vars(bound)["parts"] = calls  # they live as long as it does
         return bound
 
-    def split(self, count: int, bind: Callable[[int, int], Call]) -> Call:
-        """The call bind(begin, end) in parts from 0 to count."""
-        return self.job([bind(begin, end) for begin, end in (cuts(count) if self.threads > 1 else [(0, count)])])
+    def split(self, count: int, bind: Callable[[int, int], Call], atoms: int = 1) -> Call:
+        """The call bind(begin, end) in parts from 0 to count things of so many atoms each."""
+        return self.job([bind(begin, end) for begin, end in (cuts(count, atoms) if self.threads > 1 else [(0, count)])])
 
     # ---- helpers ------------------------------------------------------------------------------------------------
 

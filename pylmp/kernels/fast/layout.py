@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pylmp.kernels.exact import INDEX_MASK, SPECIAL_SHIFT
-from pylmp.kernels.fast.neighbor import ROOM
+from pylmp.kernels.fast.neighbor import SHORT
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES
 
@@ -16,14 +16,14 @@ def laying_out(weighted: bool) -> Function:
         filler: "i8", blocks: "i8", n: "i8",
     ) -> "f8":
         """begins (n + 1,), entries: the list. kinds (4,): weights. neighbors, weights (room,): entry k of the eight rows of block b at
-        first[b] + 8 k, depth[b] of them; filler: the row that pads. Returns how many entries, or ROOM."""
+        first[b] + 8 k, depth[b] of them; filler: the row that pads. Returns 0.0, or SHORT: they are more than room."""
         at = 0
         for b in range(blocks):
             deepest = 0
             for i in range(LANES * b, min(LANES * b + LANES, n)):
                 deepest = max(deepest, int(begins[i + 1] - begins[i]))
             if at + LANES * deepest > room:
-                return ROOM
+                return SHORT
             first[b] = at
             depth[b] = deepest
             for lane in range(LANES):
@@ -43,6 +43,6 @@ def laying_out(weighted: bool) -> Function:
                     if weighted:
                         weights[at + LANES * k + lane] = 1.0
             at += LANES * deepest
-        return float(at)
+        return 0.0
 
     return lay_out

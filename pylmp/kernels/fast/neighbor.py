@@ -12,7 +12,9 @@ from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, WIDE, compress, count_up, gather, load, splat_single, splat_whole, store
 from pylmp.laws import select
 
-ROOM, FULL = -1.0, -2.0  # not enough room for candidates or woven rows, for listed rows: the caller makes more and asks again
+# why a list was not made: room for candidates, for listed rows, for woven rows is too small, and the caller makes more; a row has too many.
+# None is below 0.0, all is well: the sum over parts of a list says if all are.
+ROOM, FULL, SHORT, MANY = 1.0, 2.0, 3.0, 4.0
 
 
 def extents() -> Function:
@@ -116,25 +118,28 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
     def list_rows(
         start: "i4*", order: "i4*", near_x: "f4*", near_y: "f4*", near_z: "f4*", counts: "i8*", lengths: "f8*", limit2: "f8*",
         x: "f4*", y: "f4*", z: "f4*", rows: "i4*", room: "i8", left_first: "i8*", left_out: "i4*", stamp: "i4*",
-        found: "i4*", edge: "u1*", at_first: "i4*", listed: "i4*", most_listed: "i8", one: "i8", from_row: "i8", to_row: "i8",
+        found: "i4*", edge: "u1*", at_first: "i4*", listed: "i4*", at: "i8", stop_listed: "i8", one: "i8", from_row: "i8", to_row: "i8",
+        from_place: "i8", to_place: "i8",
     ) -> "f8":
-        """Rows from_row to to_row, in the order of cells. found[i]: how many neighbors row i has, listed[at_first[i] ...]: their rows,
-        most_listed of all and one of a row at most. edge[i]: some may be periodic images in x (1), y (2), z (4).
+        """Rows from_row to to_row, in the order of cells, of the cells that begin at places from_place to to_place. found[i]: how many neighbors row i
+        has, listed[at_first[i] ...], from at to stop_listed for all: their rows. edge[i]: some may be periodic images in x (1), y (2), z (4).
 
         x, y, z, rows: room for candidates. left_out[left_first[i]:left_first[i + 1]]: rows that are no neighbors of row i; stamp: (rows,)
-        of -1, scratch. Returns the most that any row has, more than one
-        where a row has too many, or ROOM (for candidates), or FULL.
+        of -1, scratch. Returns 0.0, ROOM, FULL, or MANY: a row has more than one.
         """
-        most = 0
-        at = 0
         reach2 = limit2[0]
         for cz in range(counts[2]):
             for cy in range(counts[1]):
+                here = (cz * counts[1] + cy) * counts[0]
+                if start[here] >= to_place or start[here + counts[0]] <= from_place:
+                    continue
                 for cx in range(counts[0]):
-                    c = (cz * counts[1] + cy) * counts[0] + cx
+                    c = here + cx
                     begin = int(start[c])
                     end = int(start[c + 1])
-                    if begin == end or order[begin] >= to_row or order[end - 1] < from_row:  # rows of a cell ascend
+                    if begin == end or begin < from_place or begin >= to_place:
+                        continue
+                    if order[begin] >= to_row or order[end - 1] < from_row:  # rows of a cell ascend
                         continue
                     m = 0
                     image = 0
@@ -182,7 +187,7 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
                         i = int(order[p])
                         if i < from_row or i >= to_row:
                             continue
-                        if at + m + WIDE > most_listed:
+                        if at + m + WIDE > stop_listed:
                             return FULL
                         first = at
                         xi = splat_single(near_x[p], WIDE)
@@ -201,29 +206,24 @@ def listing(periodic: tuple[bool, bool, bool], flat: bool, excluding: bool) -> F
                             stop = at
                             at = first
                             for k in range(first, stop, WIDE):
-                                here = count_up(k, WIDE) < stop
-                                j = select(here, load(listed, k, WIDE), splat_whole(i, WIDE))
-                                at += compress(listed, at, j, here & (gather(stamp, j, 0) != i))
+                                valid = count_up(k, WIDE) < stop
+                                j = select(valid, load(listed, k, WIDE), splat_whole(i, WIDE))
+                                at += compress(listed, at, j, valid & (gather(stamp, j, 0) != i))
                         if at - first > one:
-                            return float(at - first)
+                            return MANY
                         at_first[i] = first
                         found[i] = at - first
                         edge[i] = image
-                        most = max(most, at - first)
-        return float(most)
+        return 0.0
 
     return list_rows
 
 
-def weaving(types: int) -> Function:
-    """types: of atoms, where entries hold them; else 1."""
+def placing() -> Function:
+    def place(found: "i4*", edge: "u1*", first: "i8*", depth: "i4*", edges: "u1*", room: "i8", begin: "i8", end: "i8") -> "f8":
+        """Where the rows of blocks begin to end go, behind those before: first[b], depth[b] entries of each of the eight rows; edges[b]: edge of any.
 
-    def weave(
-        listed: "i4*", at_first: "i4*", found: "i4*", edge: "u1*", kinds: "i4*", first: "i8*", depth: "i4*", edges: "u1*",
-        neighbors: "i4*", room: "i8", filler: "i8", begin: "i8", end: "i8",
-    ) -> "f8":
-        """Rows of eight atoms side by side, blocks begin to end, behind those before. neighbors[first[b] + 8 k ...]: entry k of the eight rows of
-        block b, depth[b] of them; edges[b]: edge of any of its rows; filler: the row that pads. Returns how many entries there are, or ROOM.
+        Returns 0.0, or SHORT: they take more than room.
         """
         at = first[begin]
         for b in range(begin, end):
@@ -232,19 +232,34 @@ def weaving(types: int) -> Function:
             for k in range(LANES * b, LANES * b + LANES):
                 deepest = max(deepest, int(found[k]))
                 image |= int(edge[k])
-            if at + LANES * deepest > room:
-                return ROOM
             depth[b] = deepest
             edges[b] = image
+            at += LANES * deepest
+            first[b + 1] = at
+        return 0.0 if at <= room else SHORT
+
+    return place
+
+
+def weaving(types: int) -> Function:
+    """types: of atoms, where entries hold them; else 1."""
+
+    def weave(
+        listed: "i4*", at_first: "i4*", found: "i4*", kinds: "i4*", first: "i8*", depth: "i4*", neighbors: "i4*", filler: "i8",
+        begin: "i8", end: "i8",
+    ) -> "f8":
+        """Rows of eight atoms side by side, blocks begin to end. neighbors[first[b] + 8 k ...]: entry k of the eight rows of block b; filler: the
+        row that pads."""
+        for b in range(begin, end):
+            at = first[b]
             have = load(found, LANES * b, LANES)
             rows = load(at_first, LANES * b, LANES)
-            for k in range(deepest):
+            for k in range(int(depth[b])):
                 j = select(have > k, gather(listed, rows, k), splat_whole(filler, LANES)) * splat_whole(3, LANES)
                 if types > 1:
                     j = j + (gather(kinds, j, 0) - splat_whole(1, LANES)) * splat_whole(SPAN, LANES)
                 store(neighbors, at, j)
                 at += LANES
-            first[b + 1] = at
-        return float(at)
+        return 0.0
 
     return weave
