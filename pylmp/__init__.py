@@ -13,7 +13,7 @@ __version__ = "0.1.0"
 
 
 def run(path: str | Path, **variables: object) -> Simulation:
-    """Run a script and return the simulation it leaves; variables are set as by -var. Writes no log.
+    """Run a script on the exact engine and return the simulation it leaves; variables are set as by -var. Writes no log.
 
     Raises pylmp.text.diagnostic.ScriptError when the script is wrong.
     """

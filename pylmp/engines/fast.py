@@ -39,7 +39,7 @@ def _pair_obstacles(sim: Simulation) -> list[str]:
     for part in sim.pair.working if sim.pair else []:
         if part.style.data is not None or part.style.watch is not None:
             found.append(f"pair_style {part.style.name}")
-        if part.settings.lj not in (None, sim.special.lj):
+        if sim.has_bonds and part.settings.lj not in (None, sim.special.lj):
             found.append("pair_modify special")
     if sim.pair and not all(part.settings.compute for part in sim.pair.parts) and any(part.style.subtract_pair for part in (sim.bond.parts if sim.bond else [])):
         found.append(f"pair_modify compute no with bond_style {sim.bond.name}")

@@ -53,11 +53,13 @@ def test_every_engine_runs_a_small_script(tiny: Path) -> None:
 
 
 def test_the_engine_that_really_ran_is_named(tiny: Path) -> None:
-    tiny.write_text(TINY.replace("fix 1", "neighbor 0.3 nsq\nfix 1"))
+    bonds = TINY.replace("units lj", "units lj\natom_style bond").replace("create_box 1 b", "create_box 1 b bond/types 1")
+    quartic = "pair_modify compute no\nspecial_bonds lj/coul 1 1 1\nbond_style quartic\nbond_coeff 1 1200 -0.55 0.25 1.3 34.6878\n"
+    tiny.write_text(bonds.replace("fix 1", f"{quartic}fix 1"))
     done = bench(tiny, "--engines", "fast", "--repeat", "1", "--var", "steps", "20")
     assert done.returncode == 0, done.stdout + done.stderr
     assert "pylmp, fast (ran on exact)" in done.stdout
-    assert "engine fast lacks neighbor nsq" in done.stdout
+    assert "engine fast lacks pair_modify compute no with bond_style quartic" in done.stdout
 
 
 def test_a_wrong_script_is_answered_with_its_error(tiny: Path) -> None:

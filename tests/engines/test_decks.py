@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tests.engines.decks import DECKS, ROOT, apart, lacking, name, three
-
-sys.path.insert(0, str(ROOT / "docs"))
-try:
-    from engines import PAGE, row
-finally:
-    sys.path.pop(0)
+from tests.engines.decks import DECKS, apart, lacking, name, three
+from tests.engines.page import PAGE, row
 
 
 DEPARTS = {  # and why

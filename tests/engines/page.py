@@ -1,18 +1,14 @@
 """Writes docs/engines.md: which decks the fast engine runs, and what the exact one is asked for in the others.
 
-usage: python docs/engines.py
+usage: python -m tests.engines.page
 """
 
 from __future__ import annotations
 
-import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1]
-sys.path[0] = str(ROOT)  # not the folder docs, whose coverage.py is not the package of that name
-
-from tests.engines.decks import DECKS, lacking, name, three  # noqa: E402
+from tests.engines.decks import DECKS, ROOT, lacking, name, three
 
 PAGE = ROOT / "docs" / "engines.md"
 HEAD = """# What the fast engine runs
@@ -34,7 +30,13 @@ The fast engine lacks, and so the exact one carries out:
 Slower than it could be, on the fast engine's force loops over ghosts and lists of the exact engine: tilted boxes, boxes narrower than twice the
 neighbor cutoff, fix deform remap v, neigh_modify exclude, neighbor nsq, special_bonds weights between 0 and 1.
 
-Written by `python docs/engines.py`; a test runs every deck and compares both the result with the exact engine and the row with the log.
+However small a script is, it loses nothing on the fast engine: of scripts with 2 to 250 atoms and 0 to 200 steps the whole process takes as long
+on both, to 0.02 s of 0.32 s, once the kernels are in the store.
+
+One thing is not as in LAMMPS: where write_restart makes ghosts anew between two runs, LAMMPS forgets what bonds across a periodic face went
+through since the last rebuild. The fast engine has no ghosts there and forgets nothing.
+
+Written by `python -m tests.engines.page`; a test runs every deck and compares both the result with the exact engine and the row with the log.
 
 | deck | on the exact engine |
 |---|---|"""
