@@ -10,7 +10,6 @@ import pytest
 from tests.engines.decks import DECKS, apart, lacking, name, three
 from tests.engines.page import PAGE, row
 
-
 DEPARTS = {  # and why
     "tests/decks/command/write_restart.in": "LAMMPS forgets what bonds across a face went through since the last rebuild when it makes ghosts anew",
 }
