@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
+import math
 import struct
 from dataclasses import asdict, dataclass, field
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
+from pylmp.io.data_write import Contents, data_text
+from pylmp.io.restart.files import read_restart
+from pylmp.io.restart.restore import restore
+from pylmp.model.console import Console
+from pylmp.model.simulation import Simulation
+from pylmp.text.diagnostic import ScriptError
 from pylmp.tools.diff import read
+from pylmp.tools.diff.instrument import COPY
 
-IGNORED = {"log.lammps", "in.diff", "screen.txt", "tmp.lammps.variable"}  # the last: partitions' notes on universe variables
+IGNORED = {"log.lammps", COPY, "screen.txt", "tmp.lammps.variable"}  # the last: partitions' notes on universe variables
+
+
+ANSWERS = "answers of commands"
+LISTS = "neighbor lists"  # the part that says how a program works
 
 
 @dataclass(frozen=True)
@@ -25,12 +38,18 @@ class Difference:
 
 @dataclass
 class Part:
-    """One thing compared: how many cells, how many differ, the first that does."""
+    """One thing compared: how many cells, how many differ, the first that does.
+
+    largest: of the differences between numbers; scale: the largest number that differs. words: differing cells that are no numbers, or missing.
+    """
 
     name: str
     cells: int = 0
     differing: int = 0
     largest_ulps: int = 0
+    largest: float = 0.0
+    scale: float = 0.0
+    words: int = 0
     first: Difference | None = None
 
 
@@ -61,7 +80,8 @@ def runs(native: Path, reference: Path, inputs: set[str]) -> Comparison:
     result = Comparison()
     logs = [(folder / "log.lammps").read_text() for folder in (native, reference)]
     result.parts.append(_tables(*(read.tables(log) for log in logs)))
-    result.parts.append(_lines("answers of commands", *(read.answers(log) for log in logs)))
+    result.parts.append(_lines(ANSWERS, *(read.answers(log) for log in logs)))
+    result.parts.append(_lines(LISTS, *(read.lists(log) for log in logs)))
     names = [
         {str(p.relative_to(f)) for p in f.rglob("*") if p.is_file()} - IGNORED - inputs for f in (native, reference)
     ]
@@ -69,7 +89,7 @@ def runs(native: Path, reference: Path, inputs: set[str]) -> Comparison:
         if name in names[0] and name in names[1]:
             result.parts.append(_file(name, native / name, reference / name))
         else:
-            part = Part(f"file {name}", 1, 1)
+            part = Part(f"file {name}", 1, 1, words=1)
             there = ("written", "not written") if name in names[0] else ("not written", "written")
             part.first = Difference(part.name, "the file itself", *there)
             result.parts.append(part)
@@ -81,23 +101,35 @@ def _cell(part: Part, place: str, a: str, b: str) -> None:
     part.cells += 1
     if a == b:
         return
-    try:
-        x, y = float(a), float(b)
-    except ValueError:
-        apart = None
+    values = reals(a, b)
+    apart = None
+    if values is None:
+        part.words += 1
     else:
+        x, y = values
         if x == y or (x != x and y != y):
             return
         apart = ulps(x, y)
         part.largest_ulps = max(part.largest_ulps, apart)
+        part.largest = max(part.largest, abs(x - y) if abs(x - y) < math.inf else math.inf)
+        part.scale = max(part.scale, abs(x), abs(y))
     part.differing += 1
     if part.first is None:
         part.first = Difference(part.name, place, a, b, apart)
 
 
+def reals(a: str, b: str) -> tuple[float, float] | None:
+    """Both as numbers, or None."""
+    try:
+        return float(a), float(b)
+    except ValueError:
+        return None
+
+
 def _count(part: Part, what: str, a: int, b: int) -> None:
     if a != b:
         _cell(part, f"number of {what}", str(a), str(b))
+        part.words += 1
 
 
 def _tables(mine: list[read.Table], theirs: list[read.Table]) -> Part:
@@ -126,15 +158,20 @@ def _file(name: str, mine: Path, theirs: Path) -> Part:
     try:
         pairs = read.dump_frames(mine), read.dump_frames(theirs)
     except UnicodeDecodeError:
-        _cell(part, "bytes", str(mine.read_bytes() == theirs.read_bytes()), "True")
+        _binary(part, mine, theirs)
         return part
     _count(part, "frames", len(pairs[0]), len(pairs[1]))
     for a, b in zip(*pairs, strict=False):
         where = f"step {a.step}" if a.step else "text"
         for x, y in zip(a.header, b.header, strict=False):
-            _cell(part, f"{where}, header", x, y)
+            for word, its in zip_longest(x.split(), y.split(), fillvalue=""):
+                _cell(part, f"{where}, header", word, its)
         _count(part, f"rows at {where}", len(a.rows), len(b.rows))
-        for k, (row, other) in enumerate(zip(a.rows, b.rows, strict=False), 1):
+        ours, others = _ordered(part, where, a, b)
+        for k, (row, other) in enumerate(zip(ours, others, strict=False), 1):
+            if row == other:
+                part.cells += len(row)
+                continue
             who = f"atom {row[0]}" if a.columns[:1] == ["id"] else f"row {k}"
             if len(row) != len(other):
                 _cell(part, f"{where}, {who}", " ".join(row), " ".join(other))
@@ -143,3 +180,63 @@ def _file(name: str, mine: Path, theirs: Path) -> Part:
                 column = a.columns[c] if c < len(a.columns) else f"word {c + 1}"
                 _cell(part, f"{where}, {who}, column {column}", x, y)
     return part
+
+
+def _ordered(part: Part, where: str, a: read.Frame, b: read.Frame) -> tuple[list[list[str]], list[list[str]]]:
+    """Both frames' rows; rows of a local dump, which has no order of its own, in one order if they differ in theirs."""
+    local = not set(a.columns) & {"id", "element", "name"} and bool(a.step) and any(line.startswith("ITEM") for line in a.header)
+    if not local or a.rows == b.rows or len(a.rows) != len(b.rows):
+        return a.rows, b.rows
+    pair = _sorted(a.rows), _sorted(b.rows)
+    if pair == (a.rows, b.rows) or _unlike(*pair) >= _unlike(a.rows, b.rows):
+        return a.rows, b.rows
+    part.differing += 1
+    if part.first is None:
+        part.first = Difference(part.name, f"{where}, order of rows", "another", "another")
+    return pair
+
+
+def _sorted(rows: list[list[str]]) -> list[list[str]]:
+    def key(row: list[str]) -> list[tuple[float, str]]:
+        found = ((reals(cell, cell), cell) for cell in row)
+        return [(float(f"{values[0]:.6g}"), "") if values else (math.inf, cell) for values, cell in found]
+
+    return sorted(rows, key=key)
+
+
+def _unlike(mine: list[list[str]], theirs: list[list[str]]) -> float:
+    """How far apart rows are: relative differences, each at most 1, summed."""
+    total = 0.0
+    for row, other in zip(mine, theirs, strict=True):
+        for a, b in zip(row, other, strict=False):
+            if a != b:
+                values = reals(a, b)
+                total += min(1.0, abs(values[0] - values[1]) / max(abs(values[0]), abs(values[1]), 1e-300)) if values else 1.0
+    return total
+
+
+def _binary(part: Part, mine: Path, theirs: Path) -> None:
+    """Bytes; where they differ and both are restart files, what differs in their atoms and bonds."""
+    same = mine.read_bytes() == theirs.read_bytes()
+    if not same:
+        texts = [_restart(path) for path in (mine, theirs)]
+        if all(texts):
+            for a, b in zip(*texts, strict=False):
+                section = a[0] if a else ""
+                for c, (x, y) in enumerate(zip(a, b, strict=False), 1):
+                    _cell(part, f"as a data file, line of {section}, word {c}", x, y)
+                _count(part, "words of a line", len(a), len(b))
+            _count(part, "lines as a data file", len(texts[0]), len(texts[1]))
+            if part.differing:
+                return
+    _cell(part, "bytes", "equal" if same else "other bytes", "equal")
+
+
+def _restart(path: Path) -> list[list[str]]:
+    """The words of a restart file as a data file; none if it is no restart file that can be read here."""
+    sim = Simulation(Console())
+    try:
+        restore(sim, read_restart(str(path)))
+        return [line.split() for line in data_text(sim, Contents(coeffs=False)).splitlines()[1:]]
+    except (ScriptError, ValueError, KeyError, AttributeError):
+        return []

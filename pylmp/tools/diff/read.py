@@ -7,12 +7,17 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
+from pylmp.tools.diff.instrument import MARK
+
 CLOCKS = {"CPU", "T/CPU", "S/CPU", "CPULeft", "TimeoutLeft", "Part"}  # they measure the machine
 _ANSWERS = re.compile(
     r"^\s*(\d+ total (bonds|angles)|Added \d+ bonds|Deleted \d+|\d+ = max # of|special bond factors|Created \d+ atoms"
-    r"|\d+ atoms in group|\d+ settings made|Total # of neighbors|Ave (special )?neighs/atom|Neighbor list builds"
-    r"|Dangerous builds|Nlocal:|Nghost:|Neighs:|WARNING: (?!.*deprecated|\[D))"
+    r"|\d+ atoms in group|\d+ settings made|WARNING: (?!.*deprecated|\[D))"
 )
+_LISTS = re.compile(r"^\s*(Total # of neighbors|Ave (special )?neighs/atom|Neighbor list builds|Dangerous builds|Nlocal:|Nghost:|Neighs:)")
 _GZIP = b"\x1f\x8b"
 _CELL = re.compile(r"(\S+)\s+=\s+(\S+)")
 
@@ -23,14 +28,20 @@ class Table:
 
     columns: list[str]
     rows: list[list[str]]
+    run: int = 0
 
 
 def tables(log: str) -> list[Table]:
-    """Every thermo table of a log, styles one and custom, multi, and yaml."""
+    """Every thermo table of a log, styles one and custom, multi, and yaml. run: the number of the run command, if the log was marked."""
     found: list[Table] = []
     reading = False
+    run = tabled = 0
     for line in log.splitlines():
         words = line.split()
+        if len(found) > tabled:
+            found[-1].run, run, tabled = run, 0, len(found)
+        if line.startswith(MARK) and words[-1].isdigit():
+            run = int(words[-1])
         if words[:1] == ["Step"] and "=" not in words:
             found.append(Table(words, []))
             reading = True
@@ -53,7 +64,14 @@ def tables(log: str) -> list[Table]:
             found[-1].rows[-1] += [value for _, value in cells]
         elif reading and len(words) == len(found[-1].columns) and _is_number(words[0]):
             found[-1].rows.append(words)
+    if len(found) > tabled:
+        found[-1].run = run
     return found
+
+
+def lists(log: str) -> list[str]:
+    """The lines on neighbor lists and ghost atoms at the end of each run: how a program works, not what it computes."""
+    return [line.strip() for line in log.splitlines() if _LISTS.match(line)]
 
 
 def answers(log: str) -> list[str]:
@@ -95,6 +113,35 @@ def dump_frames(path: Path) -> list[Frame]:
         return _xyz(text.splitlines())
     rows = [line.split() for line in text.splitlines() if not line.startswith("Printed on ")]  # info's date
     return [Frame("", [], [], rows)]
+
+
+@dataclass
+class Numbers:
+    """One frame whose cells are all numbers. box: (3, 2 or 3) as in the header. values: a row an atom or entry."""
+
+    step: int
+    box: NDArray[np.float64]
+    columns: list[str]
+    values: NDArray[np.float64]
+
+    def __getitem__(self, names: str) -> NDArray[np.float64]:
+        """The columns of these names, (rows, names)."""
+        return self.values[:, [self.columns.index(name) for name in names.split()]]
+
+
+def numbers(path: Path) -> list[Numbers]:
+    """Frames of a dump in LAMMPS's text format; none if there is no such file."""
+    if not path.is_file():
+        return []
+    result = []
+    for piece in path.read_text().split("ITEM: TIMESTEP\n")[1:]:
+        header, _, rest = piece.partition("ITEM: BOX BOUNDS")
+        bounds = rest.split("\n", 4)
+        columns = bounds[4].partition("\n")[0].split()[2:]
+        values = np.array(bounds[4].partition("\n")[2].split(), dtype=float).reshape(-1, max(1, len(columns)))
+        box = np.array([line.split() for line in bounds[1:4]], dtype=float)
+        result.append(Numbers(int(header.split()[0]), box, columns, values))
+    return result
 
 
 def _native(text: str) -> list[Frame]:
