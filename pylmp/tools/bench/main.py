@@ -1,4 +1,4 @@
-"""The commands ``pylmp bench in.script``, ``pylmp bench --all`` and ``pylmp bench --scaling``.
+"""The commands ``pylmp bench in.script``, with ``--dt`` or ``--skin`` a sweep, ``pylmp bench --all`` and ``pylmp bench --scaling``.
 
 Exit codes: 0 measured, 1 a run failed or LAMMPS is missing, 2 wrong usage, 5 pylmp lacks what the script needs.
 """
@@ -14,10 +14,11 @@ from pathlib import Path
 
 import pylmp
 from pylmp.text.diagnostic import ScriptError, render
-from pylmp.tools.bench import page, scaling, table
+from pylmp.tools.bench import page, scaling, table, tradeoff
 from pylmp.tools.bench.contenders import NAMES, Contender, contender
 from pylmp.tools.bench.measure import Result, measure
 from pylmp.tools.bench.report import Machine, as_dict, sentence
+from pylmp.tools.bench.sweep import sweep
 
 WRONG, USAGE = 1, 2
 DECKS = Path(pylmp.__file__).parents[1] / "inputs" / "bench"
@@ -35,10 +36,17 @@ def main(arguments: list[str]) -> int:
             parser.error("--var takes a name and at least one value")
         if options.repeat is not None and options.repeat < 1:
             parser.error("--repeat takes a number from 1 on")
+        sweeping = bool(options.dt or options.skin)
+        if sweeping and (options.script is None or options.write):
+            parser.error("--dt and --skin take a script, and --save in place of --write")
+        if not sweeping and (options.save or options.within is not None):
+            parser.error("--save and --within go with --dt or --skin")
+        if options.save and options.save.suffix not in (".html", ".svg", ".png"):
+            parser.error("--save FILE: .html, .svg or .png")
     except SystemExit as leave:
         return int(leave.code or 0)
     try:
-        if options.write:
+        if options.write or options.save:
             page.needs_matplotlib()
         if options.cold:
             with tempfile.TemporaryDirectory(prefix="pylmp-store-") as store:
@@ -68,6 +76,10 @@ def _parser() -> argparse.ArgumentParser:
     add("--var", "-var", "-v", nargs="+", action="append", default=[], metavar="WORD", help="NAME VALUE...: an index variable")
     add("--cold", action="store_true", help="start with an empty store of kernels: the first run compiles all of them")
     add("--timeout", type=float, metavar="SECONDS", help="for each run")
+    add("--dt", type=_positive, metavar="A,B,...", help="sweep: make the last run with A, B, ... times its timestep, energy error against time")
+    add("--skin", type=_positive, metavar="A,B,...", help="sweep: make the last run with neighbor skins A, B, ...")
+    add("--within", type=float, metavar="E", help="sweep: standard deviation of energy per atom to compare at (default: that of the script's timestep)")
+    add("--save", type=Path, metavar="FILE", help="sweep: a page (.html) or a picture (.svg, .png)")
     add("--json", action="store_true", help="one JSON object instead of text")
     add("--write", type=Path, metavar="FILE", help="put the table and a plot into this page of Markdown")
     return parser
@@ -84,6 +96,8 @@ def _names(given: str, parser: argparse.ArgumentParser) -> list[str]:
 def _bench(options: argparse.Namespace, contenders: list[Contender]) -> int:
     switches = [word for words in options.var for word in ("-var", *words)]
     machine, tell = Machine(), _progress()
+    if options.dt or options.skin:
+        return _sweep(options, contenders, switches)
     if options.scaling:
         _there(options.decks / scaling.LIQUID)
         results = scaling.scale(
@@ -104,6 +118,27 @@ def _bench(options: argparse.Namespace, contenders: list[Contender]) -> int:
     if options.write:
         _write(options, results, f"Measured {sentence(state)}.\n\n{written}")
     return next((result.code for result in results if result.code), 0)
+
+
+def _sweep(options: argparse.Namespace, contenders: list[Contender], switches: list[str]) -> int:
+    machine, tell = Machine(), _progress()
+    found = sweep(
+        _there(options.script), contenders, options.dt or [1.0], options.skin or [None], switches, options.timeout, options.repeat or 1, tell,
+    )  # fmt: skip
+    state, error = machine.as_dict(), tradeoff.target(found, options.within)
+    said = f"{tradeoff.text(found, error)}\n\n{sentence(state)}"
+    tell("")
+    print(json.dumps(tradeoff.as_dict(found, error, state), indent=1) if options.json else said)
+    if options.save and found.curves():
+        tradeoff.save(options.save, found, error, said)
+    return 0 if any(point.good for point in found.points) else WRONG
+
+
+def _positive(words: str) -> list[float]:
+    values = [float(word) for word in words.split(",")]
+    if not values or not all(0.0 < value < float("inf") for value in values):
+        raise ValueError(words)
+    return values
 
 
 def _scripts(options: argparse.Namespace) -> list[Path]:
