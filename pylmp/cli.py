@@ -1,6 +1,6 @@
-"""The door: `pylmp in.script` as `lmp -in in.script`, and `pylmp diff`, `pylmp bench`.
+"""The door: `pylmp in.script` as `lmp -in in.script`, and `pylmp diff`, `pylmp check`.
 
-Exit codes: 0 done, the script's own with quit, 1 the script or the run is wrong, 2 wrong usage, 4 diff found a difference,
+Exit codes: 0 done, the script's own with quit, 1 the script or the run is wrong, 2 wrong usage, 3 check found errors, 4 diff found a difference,
 5 LAMMPS has it and pylmp does not, 130 interrupted, 143 terminated.
 """
 
@@ -38,6 +38,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from pylmp.tools.explain import main as explain
 
         return _guarded(explain, words[1:])
+    if words[:1] == ["check"]:
+        from pylmp.tools.check import main as check
+
+        return _guarded(check, words[1:])
     if words[:1] == ["doctor"]:
         from pylmp.tools.doctor import main as doctor
 
@@ -91,7 +95,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="pylmp", allow_abbrev=False,
         description="Run a LAMMPS input script. `pylmp diff SCRIPT` compares a run with real LAMMPS; `pylmp bench SCRIPT` measures both; "
-        "`pylmp explain SCRIPT[:LINE]` says what each command does; `pylmp restart info|to-data FILE` looks into a restart file.",
+        "`pylmp check SCRIPT...` finds what is wrong without a run; `pylmp explain SCRIPT[:LINE]` says what each command does; `pylmp restart info|to-data FILE` looks into a restart file.",
         epilog="Switches are those of lmp. Put the script first: -var takes all words up to the next switch.",
     )  # fmt: skip
     add = parser.add_argument

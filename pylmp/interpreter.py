@@ -52,6 +52,7 @@ class Interpreter:
         self.most = most
         self.jumps = jumps
         self.dry = False  # nothing is written: the script is only looked at
+        self.writes: list[str] = []  # what it would write, where it is dry
         self.count = 0  # commands carried out
         self._idle = 0  # jumps since something else than variables changed
         self.scope = Scope(sim, self.variables)

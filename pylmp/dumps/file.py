@@ -37,7 +37,7 @@ class DumpFile:
 
     def vanish(self) -> None:
         """From now on nothing is written."""
-        self.name, self.one_a_frame = os.devnull, False
+        self.name = os.devnull
 
     def open(self) -> None:
         """Make the single file, once. Raises ScriptError when it cannot be."""
@@ -46,6 +46,8 @@ class DumpFile:
 
     def write(self, step: int, frame: str) -> None:
         """Add a frame."""
+        if self.name == os.devnull:
+            return
         data = frame.encode()
         if self.name.endswith(".gz"):
             data = gzip.compress(data)

@@ -6,6 +6,7 @@ there (a script that runs in somebody's home must not write .profile). Links are
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -25,7 +26,7 @@ def writable(sim: Simulation, word: Word) -> Path:
     """The path a word names, if a script may write there; of a script that is only looked at, one where nothing stays. Raises ScriptError."""
     path = Path(word.text)
     if word.text in _NOWHERE or "write" in sim.script.allow:
-        return _NOTHING if sim.script.dry else path
+        return _nothing(sim, path) if sim.script.dry else path
     home: Path = sim.script.folders[0]
     place = _resolved(path, word)
     if not place.is_relative_to(home):
@@ -38,7 +39,15 @@ def writable(sim: Simulation, word: Word) -> Path:
             f"Cannot write {word.text}: its name is a hidden one", word.span,
             hint="a name without a dot in front; --allow write lets scripts write anywhere", code="S101",
         )  # fmt: skip
-    return _NOTHING if sim.script.dry else path
+    return _nothing(sim, path) if sim.script.dry else path
+
+
+def _nothing(sim: Simulation, path: Path) -> Path:
+    """Where nothing stays; the path itself if it cannot be written: opening it then fails as it would in a run."""
+    sim.script.writes.append(str(path))
+    folder = path.parent
+    possible = folder.is_dir() and os.access(folder, os.W_OK | os.X_OK) and not path.is_dir() and (not path.exists() or os.access(path, os.W_OK))
+    return _NOTHING if possible else path
 
 
 def readable(sim: Simulation, word: Word) -> Path:
