@@ -153,6 +153,8 @@ class FastRun(GhostRun):
         sim, atoms, box = self.sim, self.sim.atoms, self.sim.box
         if not setup:
             self.call("pre_exchange")
+        if setup and sort and self.sorts:
+            self.sorter.set_up(sim)
         atoms.clear_ghosts()
         box.wrap(atoms)
         self.forces.measure(sim)
@@ -168,8 +170,6 @@ class FastRun(GhostRun):
             remove_lost(sim)
             self.forces.measure(sim)  # without those, who may be very far away
         if sorting:
-            if setup:
-                self.sorter.set_up(sim)
             self.sorter.sort(sim)
         self.timers.stamp("Comm")
         if setup:

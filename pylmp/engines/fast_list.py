@@ -16,6 +16,8 @@ from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES, WIDE
 from pylmp.kernels.store import kernel
 from pylmp.kernels.team import cuts
+from pylmp.model.ghosts import ghost_cutoff
+from pylmp.model.neighbor import Grid
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
@@ -61,7 +63,7 @@ class FullList:
         self._limit2 = np.zeros(1)
         self.steps: list[Step] = []  # what build called, and between what each result lies if all is well
         self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32)
-        self._rows = 0
+        self._rows, self._checked = 0, b""
         if before:
             self.neighbors, self._listed = before.neighbors, before._listed
             self._most_listed = max(0, (len(self._listed) - sim.neighbor.one - WIDE) // self._parts)
@@ -88,6 +90,7 @@ class FullList:
         Raises ScriptError where a position is not a number, or too many are too close.
         """
         atoms, n = sim.atoms, sim.atoms.n
+        self._check(sim)
         self._fit(n)
         layout = self._corner, self._inverse, self._length, self._counts, self._limit2
         grid = kernel(self._grid).bind(
@@ -112,6 +115,13 @@ class FullList:
             listing = self._team.job(self._listing(excluded, n, sim.neighbor.one, begin, end))
             self.steps += [(call, 0.0, 0.0) for call in (listing, self._placing(begin, end), self._weaving(n, kinds, begin, end))]
         self._rows = n
+
+    def _check(self, sim: Simulation) -> None:
+        """Raises ScriptError where LAMMPS cannot lay its bins out in the box, which this list does without."""
+        corners = sim.box.corners().tobytes()
+        if corners != self._checked:
+            Grid(sim, self.cutoff, ghost_cutoff(sim))
+            self._checked = corners
 
     def _build_share(self, sim: Simulation, excluded: tuple[Ints, Small], kinds: Small, begin: int, end: int) -> None:
         """List rows begin to end and weave them, with more room where it takes more."""

@@ -11,8 +11,9 @@ from pylmp.engines import lammps
 
 SERIAL = "lammps"  # whom the others are compared with
 _SUFFIX = {"opt": ["-sf", "opt"], "omp1": ["-sf", "omp", "-pk", "omp", "1"], "omp2": ["-sf", "omp", "-pk", "omp", "2"]}
-_NATIVE = ("exact", "fast")
+_NATIVE = {"exact": ("exact", 1), "fast": ("fast", 1), "fast2": ("fast", 2)}  # engine and threads
 NAMES = (*_NATIVE, SERIAL, *_SUFFIX, "mpi2")
+PAIRED = ("omp2", "mpi2")  # LAMMPS on two processors
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,10 @@ def contender(name: str, store: str | None = None) -> Contender:
     """
     if name in _NATIVE:
         environment = {**os.environ, "OMP_NUM_THREADS": "1"} | ({"PYLMP_CACHE": store} if store else {})
-        return Contender(name, f"pylmp, {name}", True, 1, (sys.executable, "-m", "pylmp"), ("--engine", name), environment)
+        engine, threads = _NATIVE[name]
+        title = f"pylmp, {engine}" + (f", {threads} threads" if threads > 1 else "")
+        switches = ("--engine", engine, *(("--threads", str(threads)) if threads > 1 else ()))
+        return Contender(name, title, True, threads, (sys.executable, "-m", "pylmp"), switches, environment)
     there = lammps.find()
     start = ((lammps.mpiexec(), "-n", "2") if name == "mpi2" else ()) + (there.program, "-in")
     switches = tuple(_SUFFIX.get(name, ()))

@@ -21,6 +21,7 @@ from pylmp.tools.bench.report import Machine, as_dict, sentence
 from pylmp.tools.bench.sweep import sweep
 
 WRONG, USAGE = 1, 2
+ONE, EVERY = "fast,lammps", "fast,fast2,lammps,mpi2"  # who runs a script, and who runs all of them
 DECKS = Path(pylmp.__file__).parents[1] / "inputs" / "bench"
 
 
@@ -31,7 +32,7 @@ def main(arguments: list[str]) -> int:
         options = parser.parse_args(arguments)
         if options.all + options.scaling + (options.script is not None) != 1:
             parser.error("give one of: a script, --all, --scaling")
-        names = _names(options.engines, parser)
+        names = _names(options.engines or (EVERY if options.all else ONE), parser)
         if any(len(words) < 2 for words in options.var):
             parser.error("--var takes a name and at least one value")
         if options.repeat is not None and options.repeat < 1:
@@ -61,8 +62,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="pylmp bench", allow_abbrev=False,
         description="Run a script on several engines in turn and say what each step costs: the last run command of the script, "
-        "one thread each, medians over the rounds. Ratios are to LAMMPS on one process.",
-        epilog="Engines: exact and fast are pylmp's; lammps is its serial program, opt, omp1, omp2 and mpi2 are it with -sf opt, "
+        "medians over the rounds. Ratios are to LAMMPS on one process.",
+        epilog="Engines: exact, fast and fast2 (two threads) are pylmp's; lammps is its serial program, opt, omp1, omp2 and mpi2 are it with -sf opt, "
         "-sf omp -pk omp 1 or 2, and mpiexec -n 2.",
     )  # fmt: skip
     add = parser.add_argument
@@ -71,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--scaling", action="store_true", help="a liquid of 4 000 to 256 000 atoms: cost of a step, memory")
     add("--largest", action="store_true", help="with --scaling: 1 000 000 atoms too")
     add("--decks", type=Path, default=DECKS, metavar="FOLDER", help="where --all and --scaling find their scripts (default: inputs/bench)")
-    add("--engines", default="fast,lammps", metavar="A,B,...", help=f"of {', '.join(NAMES)} (default: fast,lammps)")
+    add("--engines", metavar="A,B,...", help=f"of {', '.join(NAMES)} (default: {ONE}; {EVERY} with --all)")
     add("--repeat", type=int, metavar="N", help="rounds (default: 5; 3 with --scaling)")
     add("--var", "-var", "-v", nargs="+", action="append", default=[], metavar="WORD", help="NAME VALUE...: an index variable")
     add("--cold", action="store_true", help="start with an empty store of kernels: the first run compiles all of them")

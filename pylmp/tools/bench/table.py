@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import statistics
 from collections.abc import Sequence
 
+from pylmp.tools.bench.contenders import PAIRED
 from pylmp.tools.bench.measure import Result, Row
 
 HEAD = ("engine", "ns/atom/step", "least", "most", "CPU ns", "steps/s", "LAMMPS/it", "by CPU time", "CPU use", "outside loops, s", "first run, s")
@@ -64,13 +66,28 @@ def _part(row: Row, name: str) -> float:
 
 def remarks(result: Result) -> list[str]:
     """What the table cannot hold: who stepped in, who failed and with which words, what was changed for LAMMPS."""
-    found = [f"for LAMMPS, {note}" for note in result.notes]
+    found = [*(f"for LAMMPS, {note}" for note in result.notes), *_paired(result)]
     for row in result.rows:
         if row.said is not None:
             found.append(f"{row.contender.title} failed: {row.said}")
         elif row.samples[-1].loop.why:
             found.append(f"{row.contender.title} ran on {row.samples[-1].loop.instead}: {row.samples[-1].loop.why}")
     return found
+
+
+def _paired(result: Result) -> list[str]:
+    """Two threads of pylmp's against the best that LAMMPS does with two processors, round by round."""
+    good = [row for row in result.rows if row.samples and row.said is None]
+    pairs = [row for row in good if row.contender.name in PAIRED]
+    if not pairs:
+        return []
+    best = min(pairs, key=lambda row: statistics.median(row.seconds))
+    ratios = {
+        row.contender.title: statistics.median(a / b for a, b in zip(best.seconds, row.seconds, strict=True))
+        for row in good
+        if row.contender.native and row.contender.threads == 2
+    }
+    return [f"{title}: {ratio:.2f} times as fast as {best.contender.title}, LAMMPS's best on two processors" for title, ratio in ratios.items()]
 
 
 def grid(rows: Sequence[Sequence[str]], bars: bool = False) -> list[str]:
