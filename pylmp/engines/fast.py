@@ -22,6 +22,7 @@ from pylmp.engines.renewal import Renewal
 from pylmp.kernels.kinds import Function
 from pylmp.model.atoms import Ints
 from pylmp.model.engine import RunPlan, RunReport
+from pylmp.model.box import extremes
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
 from pylmp.model.minimize import MinPlan, MinReport
@@ -159,7 +160,7 @@ class FastRun(GhostRun):
         box.wrap(atoms)
         self.forces.measure(sim)
         if box.shrinks(atoms, sim.natoms):
-            box.shrink_to(self.forces.least, self.forces.most)
+            box.shrink_to(*extremes(np.stack([self.forces.least, self.forces.most])))
         leaving = bool(((self.forces.least < box.lo) | (self.forces.most >= box.hi)).any())
         sorting = sort and self.sorts and (setup or sim.step >= self.sorter.next)
         if setup or leaving or sorting:

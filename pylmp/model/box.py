@@ -184,8 +184,7 @@ class Box:
         return bool(atoms.n) and self.shrinking
 
     def shrink_to(self, least: Floats, most: Floats) -> None:
-        """The same, of atoms between least and most (3,), as far as LAMMPS looks."""
-        least, most = np.minimum(least, _OPEN), np.maximum(most, -_OPEN)
+        """The same, of atoms between least and most (3,)."""
         lo, hi = self.lo.copy(), self.hi.copy()
         for d, (low, high) in enumerate(self.boundary):
             if low in "sm":
