@@ -21,8 +21,8 @@ from pylmp.engines.leap import Leap
 from pylmp.engines.renewal import Renewal
 from pylmp.kernels.kinds import Function
 from pylmp.model.atoms import Ints
-from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.box import extremes
+from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
 from pylmp.model.minimize import MinPlan, MinReport
