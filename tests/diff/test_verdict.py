@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import xml.dom.minidom
 from pathlib import Path
 
@@ -135,3 +137,23 @@ def test_histogram() -> None:
     a = np.array([[1.0, 0.0, -1.0]])
     b = np.array([[np.nextafter(1.0, 2.0), -0.0, -1.0 - 5 * 2.0**-52]])
     assert histogram(a, b) == [(0, 1), (1, 1), (8, 1)]
+
+
+def test_windows_from_the_same_state(tmp_path: Path) -> None:
+    """Along a chaotic run the error of a window stays that of its steps; the exact engine's is none."""
+    (script,) = scripts(tmp_path, liquid(steps=600, temp=3.0))
+    report = diff(script, "--engine", "fast", "--resync", "100")
+    windows = report["resync"]["windows"]
+    assert [window["step"] for window in windows] == [0, 100, 200, 300, 400, 500]
+    assert all(0.0 < window["x"] < 1e-11 for window in windows)
+    assert windows[-1]["x"] < 0.1 * report["runs"][0]["curve"][-1]["x"]
+    assert all(window["x"] == window["v"] == 0.0 for window in diff(script, "--resync", "100")["resync"]["windows"])
+
+
+def test_windows_need_a_straight_script(tmp_path: Path) -> None:
+    (script,) = scripts(tmp_path, liquid(steps=5) + "label here\n")
+    done = subprocess.run(
+        [sys.executable, "-m", "pylmp", "diff", script, "--resync", "5"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert "--resync cannot follow a script with label" in done.stderr

@@ -10,6 +10,7 @@ from pylmp.text.diagnostic import ScriptError
 from pylmp.tools.diff import compare, ledger, measure
 from pylmp.tools.diff.instrument import Extras
 from pylmp.tools.diff.report import Report
+from pylmp.tools.diff.resync import resync
 from pylmp.tools.diff.sides import Side
 from pylmp.tools.diff.verdict import Compared, Growth, growth, judge
 from pylmp.tools.permits import granted
@@ -38,6 +39,8 @@ def hold(options: argparse.Namespace, folder: Path) -> Report:
     )  # fmt: skip
     if options.noise and theirs.is_lammps:
         report.noise = _noise(theirs)
+    if options.resync:
+        report.resync = resync(mine, theirs, options.resync)
     return report
 
 

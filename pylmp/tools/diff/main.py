@@ -27,6 +27,8 @@ def main(arguments: list[str]) -> int:
     """Entry point; returns the exit code."""
     try:
         options = _parser().parse_args(arguments)
+        if options.resync is not None and options.resync < 1:
+            _parser().error("--resync takes a number of steps from 1 on")
     except SystemExit as leave:
         return int(leave.code or 0)
     for path in (options.script, options.other, options.ref):
@@ -64,11 +66,12 @@ def _parser() -> argparse.ArgumentParser:
     add("--engine", default="exact", choices=("exact", "fast", "auto"), help="pylmp's engine (default: exact, whose verdict is identical, or there is a bug)")
     add("--noise", action="store_true", help="also LAMMPS against itself: on two processes, and without sorting of atoms")
     add("--ledger", action="store_true", help="list which bond broke when, also where both agree")
+    add("--resync", type=int, metavar="N", help="also from the same state every N steps: the error of N steps along the run")
     add("--json", nargs="?", const=Path("-"), type=Path, metavar="FILE", help="one JSON object; instead of the text if no FILE is given")
     add("--html", type=Path, metavar="FILE", help="one page for a browser, with pictures, without scripts and without anything from the network")
     add("--keep", type=Path, metavar="FOLDER", help="keep all runs' files there")
     add("--timeout", type=float, default=None, metavar="SECONDS", help="for each run")
-    parser.set_defaults(ref=None, resync=None)
+    parser.set_defaults(ref=None)
     return parser
 
 

@@ -96,9 +96,7 @@ def _curve(run: Run, mine: list[Numbers], theirs: list[Numbers]) -> None:
         return
     run.first, run.last = pairs[0][0].step, pairs[-1][0].step
     for a, b in pairs:
-        x, y = _matched(a, b)
-        if len(x["x"]):
-            run.curve.append(Point(a.step, _most(_short(x["x"] - y["x"], b.box)), _most(x["v"] - y["v"])))
+        run.curve.append(Point(a.step, *apart(a, b)))
     first, second = _matched(*pairs[0])
     run.start = _gaps(first, second, pairs[0][1].box)
     run.ulps = histogram(first["f"], second["f"])
@@ -121,6 +119,12 @@ def _matched(a: Numbers, b: Numbers) -> tuple[dict[str, Floats], dict[str, Float
     _, i, j = np.intersect1d(ids[0], ids[1], return_indices=True)
     there = [key for key, names in _GROUPS.items() if names.split()[0] in a.columns]
     return {key: a[_GROUPS[key]][i] for key in there}, {key: b[_GROUPS[key]][j] for key in there}
+
+
+def apart(a: Numbers, b: Numbers) -> tuple[float, float]:
+    """Largest differences of positions and velocities."""
+    x, y = _matched(a, b)
+    return _most(_short(x["x"] - y["x"], b.box)), _most(x["v"] - y["v"])
 
 
 def _gaps(a: dict[str, Floats], b: dict[str, Floats], box: Floats) -> dict[str, Gap]:

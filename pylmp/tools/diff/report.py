@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from pylmp.tools.diff.measure import Run
+from pylmp.tools.diff.resync import Resync
 from pylmp.tools.diff.verdict import Compared, Growth, Verdict
 
 SCHEMA = 2
@@ -27,7 +28,7 @@ class Report:
     shadow: Compared | None = None
     shadow_growth: Growth | None = None
     noise: dict[str, Compared | str] = field(default_factory=dict)  # or why there is none
-    resync: Any = None
+    resync: Resync | None = None
 
     @property
     def commands(self) -> list[Run]:

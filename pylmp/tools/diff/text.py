@@ -112,6 +112,7 @@ def parts(comparison: Comparison, mine: str, theirs: str) -> list[str]:
 
 
 def _resync(report: Report) -> list[str]:
+    assert report.resync is not None
     lines = [f"  windows of {report.resync.every} steps, each from the same state:"]
     rows = [[str(w.step), f"{w.x:.3g}", f"{w.v:.3g}", str(w.bonds)] for w in report.resync.windows]
     return lines + table(["from step", "positions", "velocities", "bonds that differ"], rows)
