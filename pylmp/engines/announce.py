@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from pylmp.model.sanity import warn_stiff
+
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
@@ -15,6 +17,7 @@ class Announcer:
 
     def __init__(self) -> None:
         self._said = ""
+        self._warned: set[str] = set()
 
     def say(self, sim: Simulation, engine: str, kernels: tuple[int, int]) -> None:
         """kernels: how many there are, how many of them were compiled."""
@@ -25,3 +28,8 @@ class Announcer:
         came = f"{new} compiled" if new == many else f"{many - new} from the store, {new} compiled" if new else "from the store"
         threads = f"{sim.team.threads} threads" if engine == "fast" and sim.team.threads > 1 else "1 thread"
         sim.console.both(f"Engine {engine}: {many} kernels ({came}), {threads}, {PRECISION[engine]}\n")
+
+    def heed(self, sim: Simulation) -> None:
+        """After a set-up: what of it will not go well."""
+        sim.watchful = not sim.strict
+        warn_stiff(sim, self._warned)

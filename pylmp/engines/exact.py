@@ -21,6 +21,7 @@ from pylmp.model.ghosts import Ghosts, ghost_cutoff
 from pylmp.model.lost import remove_lost, warn_image_flags, warn_small_box
 from pylmp.model.minimize import MinPlan, MinReport
 from pylmp.model.occasional import Occasional
+from pylmp.model.sanity import check_finite
 from pylmp.model.scene import Scene
 from pylmp.model.simulation import Simulation
 from pylmp.model.sorting import Sorter
@@ -42,6 +43,8 @@ class Exact:
             sim.lists = Run(sim)
             self._announce(sim)
             sim.lists.setup()
+            if self._announcer:
+                self._announcer.heed(sim)
         else:
             sim.output.setup(sim)
         return sim.lists.advance(plan.steps)
@@ -260,6 +263,8 @@ class Run:
                 self.step()
                 if sim.output.due(sim):
                     sim.output.write(sim)
+                    if sim.watchful:
+                        check_finite(sim)
                     self.timers.stamp("Output")
                 if sim.halted:
                     break

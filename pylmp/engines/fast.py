@@ -78,6 +78,8 @@ class Fast:
         if self._announcer:
             self._announcer.say(sim, self.name, sim.lists.kernels)
         sim.lists.setup()
+        if self._announcer:
+            self._announcer.heed(sim)
         report: RunReport = sim.lists.advance(plan.steps)
         return report
 

@@ -73,6 +73,7 @@ class Simulation:
         self.team = Team()
         self.script: Any = None
         self.strict = False
+        self.watchful = False  # runs stop where positions are no numbers (model/sanity.py)
         self.timer = Timer()
         self.interrupts = Interrupts()
         self.suffixed = False  # the script named a suffix
