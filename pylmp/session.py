@@ -45,6 +45,7 @@ class Session:
         from pylmp.engines.exact import Exact
         from pylmp.engines.fast import Fast
         from pylmp.interpreter import Interpreter
+        from pylmp.kernels.heap import part_with_large
         from pylmp.kernels.team import Team, threads
         from pylmp.model.simulation import Simulation
 
@@ -56,6 +57,7 @@ class Session:
         sim = Simulation(console, Exact(Announcer()) if options.engine == "exact" else Fast(Announcer()))
         sim.team = Team(threads(options.threads))
         sim.strict = options.strict
+        part_with_large()
         sim.interrupts.loud = sys.stderr.isatty()
         jumps = (0 if options.trust else JUMPS) if options.max_jumps is None else options.max_jumps
         interpreter = Interpreter(sim, granted(options), options.max_commands, jumps or None)

@@ -78,16 +78,19 @@ def _many(sim: Simulation, args: Args) -> None:
 def _pairs(sim: Simulation, bits: list[int], low: float, high: float) -> tuple[Ints, Ints]:
     """Rows of the atoms that store a new bond, and its other ends, in the order of LAMMPS's full neighbor list."""
     atoms = sim.atoms
-    rows, others, r2 = full_list(sim)
-    first, second = ((atoms.mask & bit) != 0 for bit in bits)
-    take = (first[rows] & second[others]) | (first[others] & second[rows])
-    take &= (r2 >= low * low) & (r2 <= high * high)
-    if sim.newton_bond:
-        take &= atoms.tag[rows] < atoms.tag[others]
-    rows, others = rows[take], others[take]
-    tags = atoms.tag[others]
+    found, partners = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)]
+    first = second = np.zeros(0, bool)
+    for rows, others, r2 in full_list(sim):
+        if not len(first):
+            first, second = ((atoms.mask & bit) != 0 for bit in bits)
+        take = (first[rows] & second[others]) | (first[others] & second[rows])
+        take &= (r2 >= low * low) & (r2 <= high * high)
+        if sim.newton_bond:
+            take &= atoms.tag[rows] < atoms.tag[others]
+        found.append(rows[take])
+        partners.append(atoms.tag[others[take]])
     atoms.clear_ghosts()
-    return rows, tags
+    return np.concatenate(found), np.concatenate(partners)
 
 
 def _append(sim: Simulation, rows: Ints, partners: Ints, kind: int) -> None:

@@ -201,16 +201,18 @@ def _overlap(sim: Simulation, args: Args, words: list[Word]) -> tuple[Mask, _Opt
         raise ScriptError("Delete_atoms cutoff > max neighbor cutoff", words[0].span, hint=f"at most {longest_list:g}")
     if near > shortest_list:
         sim.console.warning("Delete_atoms cutoff > minimum neighbor cutoff")
-    rows, others, r2 = full_list(sim)
     atoms = sim.atoms
-    first, second = ((atoms.mask & sim.groups.bit(word.text)) != 0 for word in words[1:])
-    take = (r2 < near * near) & first[rows] & second[others]
-    image_goes = (others >= atoms.n) & second[rows] & first[others] & (atoms.tag[rows] > atoms.tag[others])
-    take &= ~image_goes
-    doomed = np.zeros(atoms.n, bool)
-    for i, j in zip(rows[take].tolist(), others[take].tolist(), strict=True):
-        if not doomed[i] and (j >= atoms.n or not doomed[j]):
-            doomed[i] = True
+    first = second = doomed = np.zeros(0, bool)
+    for rows, others, r2 in full_list(sim):
+        if not len(doomed):
+            first, second = ((atoms.mask & sim.groups.bit(word.text)) != 0 for word in words[1:])
+            doomed = np.zeros(atoms.n, bool)
+        take = (r2 < near * near) & first[rows] & second[others]
+        image_goes = (others >= atoms.n) & second[rows] & first[others] & (atoms.tag[rows] > atoms.tag[others])
+        take &= ~image_goes
+        for i, j in zip(rows[take].tolist(), others[take].tolist(), strict=True):
+            if not doomed[i] and (j >= atoms.n or not doomed[j]):
+                doomed[i] = True
     atoms.clear_ghosts()
     return doomed, options
 

@@ -65,7 +65,7 @@ class BondLocal(Compute):
         atoms = sim.atoms
         rows, slots, partners = rows_of_bonds(sim, self.members(sim), lambda kinds: kinds != 0)
         d = sim.box.minimum_image(atoms.x[rows] - atoms.x[partners])
-        kinds = atoms.bond_type[rows, slots]
+        kinds = atoms.bond_type[rows, slots].astype(np.int64)
         r2 = _dot(d, d)
         values: dict[str, Any] = {"dist": np.sqrt(r2), "dx": d[:, 0], "dy": d[:, 1], "dz": d[:, 2]}
         if not set(self.names) <= set(values):

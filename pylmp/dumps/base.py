@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pylmp.dumps.file import DumpFile
 from pylmp.dumps.frame import Field, Layout, order, text, user_formats
@@ -149,7 +150,7 @@ class Dump:
         if self.schedule.skips(sim):
             return
         atoms = sim.atoms
-        moving = atoms.x[: atoms.n], atoms.v[: atoms.n], atoms.image[: atoms.n]
+        moving: tuple[NDArray[Any], ...] = atoms.x[: atoms.n], atoms.v[: atoms.n], atoms.image[: atoms.n]
         kept = [array.copy() for array in moving] if self.pbc else []
         if kept:
             sim.box.enter(moving[0])

@@ -13,7 +13,7 @@ from pylmp.engines.force_field import ForceField
 from pylmp.engines.minimize import Relaxation
 from pylmp.engines.replay import replay
 from pylmp.engines.timers import Timers
-from pylmp.model.appetite import check_appetite
+from pylmp.model.appetite import check_appetite, make_room
 from pylmp.model.bondlist import Breaks
 from pylmp.model.engine import RunPlan, RunReport
 from pylmp.model.fix import STEP_HOOKS, hooks
@@ -119,6 +119,7 @@ class Run:
             sim.console.warning("No pairwise cutoff or binsize set. Atom sorting therefore disabled.")
             sim.sort.every = 0  # for good: a pair style that comes later does not bring it back
         ghost_cutoff(sim, warn=True, setup=True)
+        make_room(sim)
         check_appetite(sim)
         self.start_over(sort=True)
 

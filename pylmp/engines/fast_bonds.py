@@ -16,7 +16,6 @@ from pylmp.kernels.kinds import Function
 from pylmp.kernels.simd import LANES
 from pylmp.kernels.store import kernel
 from pylmp.kernels.team import PARTS
-from pylmp.model.bond import bond_pairs
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
@@ -31,24 +30,27 @@ class LeftOut:
     def __init__(self) -> None:
         self.first = np.zeros(1, np.int64)
         self.rows = np.zeros(1, np.int32)
+        self._leave = loops.leaving_out()
+
+    def functions(self) -> list[Function]:
+        return [self._leave]
 
     def build(self, sim: Simulation, nobody: bool) -> None:
         """nobody: the list leaves them out by itself."""
         if nobody:
             self.first = np.zeros(sim.atoms.n + 1, np.int64)
             return
-        atoms, n, by_tag = sim.atoms, sim.atoms.n, sim.atoms.rows_by_tag()
-        place = np.arange(atoms.max_special)
-        ends = atoms.num_special[:n]
-        kind = (place >= ends[:, :1]).astype(np.int64) + (place >= ends[:, 1:2])
-        taken = (place < ends[:, 2:]) & (np.append(sim.special.lj, 1.0)[kind] == 0.0)
-        rows, columns = np.nonzero(taken)
-        partner = atoms.special[rows, columns]
-        known = partner < len(by_tag)
-        other = np.where(known, by_tag[np.where(known, partner, 0)], -1)
-        other = np.where(other < 0, rows, other)  # nobody is a neighbor of himself anyway
-        self.first = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=n))]).astype(np.int64)
-        self.rows = np.append(other, 0).astype(np.int32)
+        atoms, by_tag = sim.atoms, sim.atoms.rows_by_tag()
+        zero = (np.array(sim.special.lj) == 0.0).astype(np.uint8)
+        self.first, self.rows = np.zeros(atoms.n + 1, np.int64), np.zeros(1, np.int32)
+        while (count := int(self._into(sim, zero, by_tag)())) >= len(self.rows):
+            self.rows = np.zeros(count + 1, np.int32)
+
+    def _into(self, sim: Simulation, zero: NDArray[np.uint8], by_tag: Ints) -> Callable[[], float]:
+        atoms = sim.atoms
+        return kernel(self._leave).bind(
+            atoms.num_special, atoms.special, atoms.max_special, zero, by_tag, len(by_tag), self.first, self.rows, len(self.rows), atoms.n,
+        )  # fmt: skip
 
 
 def closest_images(sim: Simulation, rows: Ints, partners: Ints) -> Ints:
@@ -85,10 +87,11 @@ class FastBonds:
         zero = part.style.on_break == "zero"
         self._book = loops.booking(zero, self.memory, part.shifts, part.updates_special)
         self._clear = loops.clearing()
+        self._count, self._lay = loops.counting(sim.newton_bond), loops.laying(sim.newton_bond, self.memory)
         self._allocate(0, 0)
 
     def functions(self) -> list[Function]:
-        return [self._back, self._book, self._clear]
+        return [self._back, self._book, self._clear, self._count, self._lay]
 
     def term(self, sim: Simulation, alone: Function) -> BondTerm:
         """alone: the law of pairs that bonds take out again, None if there is no pair law."""
@@ -109,43 +112,32 @@ class FastBonds:
 
     def build(self, sim: Simulation, filler: int) -> None:
         """New slots, from what the atoms store; filler: the row of nobody. Raises ScriptError where a partner is nowhere."""
-        atoms, n = sim.atoms, sim.atoms.n
-        rows, slots, partners = bond_pairs(sim, lambda kinds: (kinds > 0) & (self.part.mine[np.maximum(kinds, 0)] != 0))
-        if (partners < 0).any():
-            at = int(np.argmax(partners < 0))
-            tag, partner = int(atoms.tag[rows[at]]), int(atoms.bond_atom[rows[at], slots[at]])
-            if sim.lost_bonds == "error":
-                raise ScriptError(
-                    f"Bond atoms {tag} {partner} missing on proc 0 at step {sim.step}",
-                    hint="an atom was lost: a smaller timestep, or a boundary that keeps it", manual="Errors_details.html",
-                )  # fmt: skip
-            rows, slots, partners = (array[partners >= 0] for array in (rows, slots, partners))
-        kinds, history = atoms.bond_type[rows, slots], atoms.bond_history[rows, slots]
-        if sim.newton_bond:  # stored at one end
-            rows, partners = np.concatenate([rows, partners]), np.concatenate([partners, rows])
-            kinds, history = np.concatenate([kinds, kinds]), np.concatenate([history, history])
-        self._lay_out(n, rows, partners, kinds, history, filler)
+        atoms, n, count, by_tag = sim.atoms, sim.atoms.n, blocks(sim.atoms.n), sim.atoms.rows_by_tag()
+        held, mine = np.zeros(LANES * count, np.int32), self.part.mine
+        missing = kernel(self._count).bind(
+            atoms.num_bond, atoms.bond_type, atoms.bond_atom, atoms.bond_per_atom, mine, by_tag, len(by_tag), held, n, sim.lost_bonds != "error",
+        )()  # fmt: skip
+        if missing <= loops.MISSING:
+            row, slot = divmod(int(loops.MISSING - missing), atoms.bond_per_atom)
+            raise ScriptError(
+                f"Bond atoms {int(atoms.tag[row])} {int(atoms.bond_atom[row, slot])} missing on proc 0 at step {sim.step}",
+                hint="an atom was lost: a smaller timestep, or a boundary that keeps it", manual="Errors_details.html",
+            )  # fmt: skip
+        depth = held.reshape(count, LANES).max(axis=1, initial=0)
+        self._allocate(LANES * int(depth.sum()), count)
+        self.depth[:count] = depth
+        np.cumsum(LANES * depth, out=self.first[1:])
+        self.to[:] = 3 * filler
+        self.memories[: self.memory * self.slots] = 1.0
+        held[:] = 0
+        kernel(self._lay).bind(
+            atoms.num_bond, atoms.bond_type, atoms.bond_atom, atoms.bond_history, atoms.bond_per_atom, mine, by_tag, len(by_tag), self.first, held,
+            self.to, self.kind, self.owner, self.home, self.memories, self.slots, n,
+        )()  # fmt: skip
         if atoms.ghosts:
             used = np.flatnonzero(self.owner >= 0)
             self.to[used] = 3 * closest_images(sim, self.owner[used].astype(np.int64), self.home[used].astype(np.int64))
         self.fresh = True
-
-    def _lay_out(self, n: int, rows: Ints, partners: Ints, kinds: Ints, history: Floats, filler: int) -> None:
-        count = blocks(n)
-        held = np.bincount(rows, minlength=LANES * count)
-        depth = held.reshape(count, LANES).max(axis=1) if count else np.zeros(0, np.int64)
-        first = np.concatenate([[0], np.cumsum(LANES * depth)])
-        self._allocate(int(first[-1]), count)
-        self.first[:], self.depth[:count] = first, depth
-        order = np.argsort(rows, kind="stable")
-        rows = rows[order]
-        nth = np.arange(len(rows)) - np.repeat(np.cumsum(held) - held, held)
-        at = first[rows // LANES] + LANES * nth + rows % LANES
-        self.to[:] = 3 * filler
-        self.to[at], self.kind[at], self.owner[at], self.home[at] = 3 * partners[order], kinds[order], rows, partners[order]
-        for k in range(self.memory):
-            self.memories[k * self.slots : (k + 1) * self.slots] = 1.0
-            self.memories[k * self.slots + at] = history[order, k]
 
     def copy_back(self, sim: Simulation) -> None:
         """What bonds remember, to the slots of the atoms that store them."""

@@ -84,7 +84,7 @@ class FastForces:
     def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
         """Compile what the store does not have, all at once, more included: how many kernels there are, how many were compiled."""
         functions = [*chain(*self._kernels.values()), *self._single, self._moved, self._extent, self._beyond, *sim.box.functions(), self._hold]
-        functions += [renew, drive, *sim.team.functions(), *more]
+        functions += [renew, drive, *sim.team.functions(), *more, *self.left_out.functions()]
         for listed in self.bonds:
             functions += listed.functions()
         if self.lists is not None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from pylmp.io.neighbor_info import Request, announce
@@ -14,6 +16,8 @@ from pylmp.model.lost import remove_lost
 from pylmp.model.neighbor import NeighborList
 from pylmp.model.simulation import Simulation
 
+_ROWS = 2**14  # of a list that are looked at together: a bound on memory
+
 
 def initialise(sim: Simulation, *requests: Request) -> None:
     """System init before runs and before commands that need a complete system: every part checks itself; the log describes the
@@ -24,24 +28,24 @@ def initialise(sim: Simulation, *requests: Request) -> None:
     sim.output.init(sim)
 
 
-def full_list(sim: Simulation) -> tuple[Ints, Ints, Floats]:
-    """Rows of each owned atom and of its neighbors, and their squared distances, in the order of LAMMPS's full neighbor list.
+def full_list(sim: Simulation) -> Iterator[tuple[Ints, Ints, Floats]]:
+    """Rows of each owned atom and of its neighbors, and their squared distances, in the order of LAMMPS's full neighbor list, in
+    stretches of rows.
 
-    Atoms are wrapped, ghosts are there afterwards.
+    Atoms are wrapped, ghosts are there from the first stretch on.
     """
     atoms = sim.atoms
     ghosts, neighbors = Ghosts(sim), NeighborList(sim, FULL)
     prepare([*sim.box.functions(), *ghosts.functions(), *neighbors.functions()], sim.console.screen)
     cutoff = wrap_atoms(sim, ghosts)
     neighbors.build(sim, cutoff)
-    rows = np.repeat(np.arange(atoms.n), np.diff(neighbors.first))
-    others = (neighbors.neighbors[: neighbors.count] & INDEX_MASK).astype(np.int64)
-    r2 = np.zeros(len(rows))
-    for d in range(3):  # one direction at a time takes less memory
-        away = atoms.x[rows, d] - atoms.x[others, d]
-        away *= away
-        r2 += away
-    return rows, others, r2
+    for begin in range(0, atoms.n, _ROWS):
+        first = neighbors.first[begin : begin + _ROWS + 1]
+        rows = np.repeat(np.arange(begin, begin + len(first) - 1), np.diff(first))
+        others = (neighbors.neighbors[first[0] : first[-1]] & INDEX_MASK).astype(np.int64)
+        d = atoms.x[rows] - atoms.x[others]
+        d *= d
+        yield rows, others, d[:, 0] + d[:, 1] + d[:, 2]
 
 
 def wrap_atoms(sim: Simulation, ghosts: Ghosts | None = None) -> float:

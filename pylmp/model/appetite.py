@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import gc
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.kernels.heap import trim
+from pylmp.kernels.store import release
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.limits import room
 
@@ -18,6 +21,8 @@ if TYPE_CHECKING:
 # of both engines' (335, 300, 10 the exact one; 480, 0, 15 the fast one).
 _OWN, _GHOST, _ENTRY, _PROGRAM = 480, 300, 15, 42_000_000
 _ARRAYS = 150  # of _OWN: what atoms without bonds have
+
+_LARGE = 50_000  # atoms whose arrays are worth a few milliseconds
 
 
 @dataclass(frozen=True)
@@ -60,6 +65,14 @@ def _filled(sim: Simulation, cut: float) -> float:
     x = sim.atoms.x[:n, :d]
     extent = np.minimum(np.maximum((x.max(axis=0) - x.min(axis=0)) * (1.0 + n ** (-1.0 / d)), cut), box.length[:d])
     return min(box.volume, float(np.prod(extent)))
+
+
+def make_room(sim: Simulation) -> None:
+    """Let go of what the last run held: its parts hold each other, and with few objects the collector would not come by for long."""
+    if sim.atoms.n > _LARGE:
+        release()
+        gc.collect()
+        trim()
 
 
 def check_appetite(sim: Simulation) -> None:

@@ -7,6 +7,7 @@ All arrays share one capacity. Only ``x v f tag type mask`` mean anything in gho
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,8 @@ from pylmp.text.diagnostic import ScriptError, Unsupported
 _LARGEST_ID = 2**27  # tables by ID stay below a gigabyte
 MOST_SLOTS, MOST_TYPES = 10_000, 100_000
 Ints = NDArray[np.int64]
+Small = NDArray[np.int32]
+AnyInts = NDArray[np.integer[Any]]
 Floats = NDArray[np.float64]
 
 _MANY = {"angle": 3, "dihedral": 4, "improper": 4}  # atoms that one joins
@@ -32,15 +35,15 @@ class Atoms:
     x v f         (capacity, 3) float64: position, velocity, force
     tag           (capacity,) int64: atom ID, from 1
     type mask     (capacity,) int64: atom type from 1; group bits (bit 0 = all)
-    image         (capacity, 3) int64: periodic image flags
+    image         (capacity, 3) int32: periodic image flags
     molecule      (capacity,) int64: molecule ID
     q             (capacity,) float64: charge
-    num_bond      (capacity,) int64: bond slots in use
-    bond_type bond_atom   (capacity, bond_per_atom) int64: a slot's bond type (<= 0: off or broken) and partner ID
+    num_bond      (capacity,) int32: bond slots in use
+    bond_type bond_atom   (capacity, bond_per_atom) int32: a slot's bond type (<= 0: off or broken) and partner ID
     bond_history  (capacity, bond_per_atom, width) float64: what a slot's bond remembers (r0, ep)
     num_angle angle_type angle_atom   the same for angles: (capacity, slots, 3) IDs of all three atoms; dihedral, improper: (.., 4)
-    num_special   (capacity, 3) int64: cumulative counts of 1-2, 1-3, 1-4 neighbors in special
-    special       (capacity, max_special) int64: their IDs
+    num_special   (capacity, 3) int32: cumulative counts of 1-2, 1-3, 1-4 neighbors in special
+    special       (capacity, max_special) int32: their IDs
     extra         name -> (capacity, ...) array: what a fix or style stores per atom; rides along with the atoms
     newcomers     name -> function of (atoms, rows) that gives the rows of extra[name] for new atoms; 0 where there is none
     """
@@ -51,24 +54,24 @@ class Atoms:
     tag: Ints
     type: Ints
     mask: Ints
-    image: Ints
+    image: Small
     molecule: Ints
     q: Floats
-    num_bond: Ints
-    bond_type: Ints
-    bond_atom: Ints
+    num_bond: Small
+    bond_type: Small
+    bond_atom: Small
     bond_history: Floats
-    num_special: Ints
-    special: Ints
-    num_angle: Ints
-    angle_type: Ints
-    angle_atom: Ints
-    num_dihedral: Ints
-    dihedral_type: Ints
-    dihedral_atom: Ints
-    num_improper: Ints
-    improper_type: Ints
-    improper_atom: Ints
+    num_special: Small
+    special: Small
+    num_angle: Small
+    angle_type: Small
+    angle_atom: Small
+    num_dihedral: Small
+    dihedral_type: Small
+    dihedral_atom: Small
+    num_improper: Small
+    improper_type: Small
+    improper_atom: Small
 
     def __init__(self, bond_per_atom: int = 0, max_special: int = 1, **slots: int) -> None:
         """slots: those of angles, dihedrals, impropers, none by default. Raises ScriptError for numbers that cannot be meant."""
@@ -82,20 +85,21 @@ class Atoms:
         self.newcomers: dict[str, Callable[[Atoms, slice], Floats]] = {}
         for name in ("x", "v", "f"):
             setattr(self, name, np.zeros((0, 3)))
-        for name in ("tag", "type", "mask", "molecule", "num_bond"):
+        for name in ("tag", "type", "mask", "molecule"):
             setattr(self, name, np.zeros(0, np.int64))
-        self.image = np.zeros((0, 3), np.int64)
-        self.bond_type = np.zeros((0, bond_per_atom), np.int64)
-        self.bond_atom = np.zeros((0, bond_per_atom), np.int64)
+        self.image = np.zeros((0, 3), np.int32)
+        self.num_bond = np.zeros(0, np.int32)
+        self.bond_type = np.zeros((0, bond_per_atom), np.int32)
+        self.bond_atom = np.zeros((0, bond_per_atom), np.int32)
         self.bond_history = np.zeros((0, bond_per_atom, 0))
-        self.num_special = np.zeros((0, 3), np.int64)
-        self.special = np.zeros((0, max_special), np.int64)
+        self.num_special = np.zeros((0, 3), np.int32)
+        self.special = np.zeros((0, max_special), np.int32)
         self.q = np.zeros(0)
         for kind, size in _MANY.items():
             width = slots.get(kind, 0)
-            setattr(self, f"num_{kind}", np.zeros(0, np.int64))
-            setattr(self, f"{kind}_type", np.zeros((0, width), np.int64))
-            setattr(self, f"{kind}_atom", np.zeros((0, width, size), np.int64))
+            setattr(self, f"num_{kind}", np.zeros(0, np.int32))
+            setattr(self, f"{kind}_type", np.zeros((0, width), np.int32))
+            setattr(self, f"{kind}_atom", np.zeros((0, width, size), np.int32))
 
     @property
     def capacity(self) -> int:
@@ -127,7 +131,7 @@ class Atoms:
         self.reserve(new.stop)
         rows = slice(new.start, new.stop)
         for name in _PER_ATOM:
-            getattr(self, name)[rows] = 0
+            _clear(getattr(self, name)[rows])
         self.x[rows], self.type[rows], self.mask[rows] = x, type_, 1
         for name, array in self.extra.items():
             array[rows] = self.newcomers[name](self, rows) if name in self.newcomers else np.zeros((), array.dtype)
@@ -146,7 +150,8 @@ class Atoms:
         self.clear_ghosts()
         for name in _PER_ATOM:
             array = getattr(self, name)
-            array[: self.n] = array[: self.n][order]
+            if array[: self.n].any():
+                array[: self.n] = array[: self.n][order]
         for array in self.extra.values():
             array[: self.n] = array[: self.n][order]
 
@@ -155,7 +160,10 @@ class Atoms:
         self.clear_ghosts()
         for name in _PER_ATOM:
             array = getattr(self, name)
-            array[: len(order)] = array[order]
+            if array[: self.n].any():
+                array[: len(order)] = array[order]
+            else:
+                _clear(array[: len(order)])
         for array in self.extra.values():
             array[: len(order)] = array[order]
         self.n = len(order)
@@ -178,7 +186,7 @@ class Atoms:
     def rows_by_tag(self) -> Ints:
         """(largest ID + 1,) owned row of each ID, -1 where there is none. Raises Unsupported for gigantic IDs."""
         rows = np.full(self.span(), -1, np.int64)
-        rows[self.tag[: self.n][::-1]] = np.arange(self.n)[::-1]
+        rows[self.tag[: self.n][::-1]] = np.arange(self.n - 1, -1, -1)
         return rows
 
     def span(self) -> int:
@@ -249,5 +257,12 @@ def check_count(count: int, most: int, what: str) -> None:
 
 def _grown(array: NDArray[np.generic], rows: int) -> NDArray[np.generic]:
     bigger = np.zeros((rows, *array.shape[1:]), array.dtype)
-    bigger[: len(array)] = array
+    if array.any():
+        bigger[: len(array)] = array
     return bigger
+
+
+def _clear(rows: NDArray[np.generic]) -> None:
+    """Zeros, where there are others. What is only read takes no memory: of arrays that an atom style has no use for there is none."""
+    if rows.any():
+        rows[...] = 0

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pylmp.model import bond_memory
-from pylmp.model.atoms import Floats, Ints
+from pylmp.model.atoms import AnyInts, Floats, Ints
 from pylmp.model.fix import BIRTHS
 from pylmp.model.style import BondStyle, Options
 from pylmp.text.diagnostic import ScriptError
@@ -179,7 +179,7 @@ def _coefficients(sim: Simulation, args: Args, part: BondPart) -> tuple[float, .
     return values
 
 
-def bond_pairs(sim: Simulation, wanted: Callable[[Ints], Any]) -> tuple[Ints, Ints, Ints]:
+def bond_pairs(sim: Simulation, wanted: Callable[[AnyInts], Any]) -> tuple[Ints, Ints, Ints]:
     """(rows, slots, partner rows) of owned atoms' bonds whose type satisfies wanted, in row and slot order; partner -1: unknown."""
     atoms = sim.atoms
     if atoms.n == 0 or atoms.bond_per_atom == 0:
@@ -187,10 +187,12 @@ def bond_pairs(sim: Simulation, wanted: Callable[[Ints], Any]) -> tuple[Ints, In
     slots = np.arange(atoms.bond_per_atom)
     used = (slots[None, :] < atoms.num_bond[: atoms.n, None]) & wanted(atoms.bond_type[: atoms.n])
     rows, cols = np.nonzero(used)
-    by_tag = atoms.rows_by_tag()
     partner = atoms.bond_atom[rows, cols]
-    known = partner < len(by_tag)
-    found = np.where(known, by_tag[np.where(known, partner, 0)], -1)
+    by_tag = atoms.rows_by_tag()
+    unknown = partner >= len(by_tag)
+    partner[unknown] = 0
+    found = by_tag[partner]
+    found[unknown] = -1
     return rows, cols, found
 
 

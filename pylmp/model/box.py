@@ -18,7 +18,7 @@ from pylmp.kernels.exact import wrapping
 from pylmp.kernels.exact.wrapping import ten_bits, walk
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.store import kernel
-from pylmp.model.atoms import Atoms, Floats, Ints
+from pylmp.model.atoms import AnyInts, Atoms, Floats
 from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import shortest
@@ -235,11 +235,11 @@ class Box:
         """Kernels that wrap and lost call."""
         return [_WRAP, _OUTSIDE]
 
-    def remap(self, x: Floats, image: Ints) -> None:
+    def remap(self, x: Floats, image: AnyInts) -> None:
         """LAMMPS's remap: wrap positions as often as it takes, in place."""
         self._wrap_all(x, image, self.lo, self.hi)
 
-    def _wrap_all(self, x: Floats, image: Ints, lows: Floats, highs: Floats) -> None:
+    def _wrap_all(self, x: Floats, image: AnyInts, lows: Floats, highs: Floats) -> None:
         for d, periodic in enumerate(self.periodic):
             if not periodic:
                 continue
@@ -276,11 +276,11 @@ class Box:
                 while (out := sign * (new[:, d] - old[:, d]) > half).any():
                     new[out, d] -= sign * length
 
-    def unwrap(self, x: Floats, image: Ints) -> Floats:
+    def unwrap(self, x: Floats, image: AnyInts) -> Floats:
         """(n, 3) coordinates with image flags undone: x + image*L."""
         return x + image * self.length
 
-    def unmap(self, x: Floats, image: Ints) -> None:
+    def unmap(self, x: Floats, image: AnyInts) -> None:
         """The same in place; in a triclinic box its last digits differ from unwrap's."""
         x += image * self.length
 

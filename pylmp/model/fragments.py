@@ -23,8 +23,8 @@ def fragments(sim: Simulation, chosen: NDArray[np.bool_], single: bool) -> Ints:
     result = np.where(chosen & ((near > 0) | single), tags, 0)
     by_tag = atoms.rows_by_tag()
     rows = np.repeat(np.arange(n), near)
-    others = atoms.special[rows, np.arange(len(rows)) - np.repeat(np.cumsum(near) - near, near)]
-    others = by_tag[np.where(others < len(by_tag), others, 0)]
+    special = atoms.special[rows, np.arange(len(rows)) - np.repeat(np.cumsum(near) - near, near)]
+    others = by_tag[np.where(special < len(by_tag), special, 0)]
     keep = (others >= 0) & chosen[rows] & chosen[others]
     root = list(range(n))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ from pylmp.text.diagnostic import ScriptError
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
+_BONDS = 2**16  # that are looked at together: a bound on memory
 _STRETCH = 1.1  # measured on LAMMPS 22 Jul 2025: it warns as if bonds were this much longer
 
 
@@ -64,9 +66,13 @@ def warn_image_flags(sim: Simulation) -> None:
     if not len(rows):
         return
     atoms, box = sim.atoms, sim.box
-    apart = box.unwrap(atoms.x[rows], atoms.image[rows]) - box.unwrap(atoms.x[partners], atoms.image[partners])
     limit = np.where(box.periodic, 0.5, 1.0) * box.length
-    if np.any((np.abs(apart) > limit)[:, : sim.dimension]):
+
+    def torn(one: Ints, other: Ints) -> bool:
+        apart = box.unwrap(atoms.x[one], atoms.image[one]) - box.unwrap(atoms.x[other], atoms.image[other])
+        return bool(np.any((np.abs(apart) > limit)[:, : sim.dimension]))
+
+    if any(torn(one, other) for one, other in _stretches(rows, partners)):
         sim.console.warning("Inconsistent image flags\nFor more information see https://docs.lammps.org/err0027")
 
 
@@ -75,11 +81,17 @@ def warn_small_box(sim: Simulation) -> None:
     rows, partners = _bonded(sim, "Bond atom missing in box size check")
     if not len(rows):
         return
-    d = sim.box.minimum_image(sim.atoms.x[rows] - sim.atoms.x[partners])
-    longest = float(np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]).max())
+    longest = 0.0
+    for one, other in _stretches(rows, partners):
+        d = sim.box.minimum_image(sim.atoms.x[one] - sim.atoms.x[other])
+        longest = max(longest, float(np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]).max()))
     reach = longest * _STRETCH * (3.0 if sim.dihedrals else 2.0 if sim.angles else 1.0)
     if np.any(((reach > 0.5 * sim.box.length) & np.array(sim.box.periodic))[: sim.dimension]):
         sim.console.warning("Bond/angle/dihedral extent > half of periodic box length")
+
+
+def _stretches(rows: Ints, partners: Ints) -> Iterator[tuple[Ints, Ints]]:
+    return ((rows[k : k + _BONDS], partners[k : k + _BONDS]) for k in range(0, len(rows), _BONDS))
 
 
 def _bonded(sim: Simulation, sentence: str) -> tuple[Ints, Ints]:
@@ -88,5 +100,6 @@ def _bonded(sim: Simulation, sentence: str) -> tuple[Ints, Ints]:
     if not sim.has_bonds or not any(sim.box.periodic):
         return nothing, nothing
     rows, _, partners = bond_pairs(sim, lambda kinds: kinds > 0)
-    check_lost_partner(sim, bool((partners < 0).any()), sentence)
-    return rows[partners >= 0], partners[partners >= 0]
+    lost = bool((partners < 0).any())
+    check_lost_partner(sim, lost, sentence)
+    return (rows[partners >= 0], partners[partners >= 0]) if lost else (rows, partners)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pylmp.model.appetite import make_room
 from pylmp.model.atoms import Ints
 from pylmp.model.bond import bond_pairs
 from pylmp.model.topology import ANGLE, DIHEDRAL, entries
@@ -81,6 +82,7 @@ def build_special(sim: Simulation) -> None:
     1-3 lists are built only if their weights, or those of 1-4 pairs, differ from 1; 1-4 lists only if theirs do.
     With special_bonds angle (dihedral) yes only those 1-3 (1-4) neighbors stay that an angle or dihedral joins.
     """
+    make_room(sim)
     settings = sim.special
     ones = (1.0, 1.0)
     fourth = (settings.lj[2], settings.coul[2]) != ones

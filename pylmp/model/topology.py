@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pylmp.model.atoms import Ints
+from pylmp.model.atoms import AnyInts, Ints, Small
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
-Wanted = Callable[[Ints], NDArray[np.bool_]]
+Wanted = Callable[[AnyInts], NDArray[np.bool_]]
 
 
 @dataclass(frozen=True)
@@ -47,19 +47,19 @@ class Kind:
         """The force style of this kind, or None."""
         return getattr(sim, self.name)
 
-    def numbers(self, sim: Simulation) -> Ints:
+    def numbers(self, sim: Simulation) -> Small:
         """(capacity,) slots in use."""
-        array: Ints = getattr(sim.atoms, f"num_{self.name}")
+        array: Small = getattr(sim.atoms, f"num_{self.name}")
         return array
 
-    def kinds(self, sim: Simulation) -> Ints:
+    def kinds(self, sim: Simulation) -> Small:
         """(capacity, slots) types."""
-        array: Ints = getattr(sim.atoms, f"{self.name}_type")
+        array: Small = getattr(sim.atoms, f"{self.name}_type")
         return array
 
-    def members(self, sim: Simulation) -> Ints:
+    def members(self, sim: Simulation) -> Small:
         """(capacity, slots, size) IDs of the atoms; for bonds (capacity, slots): the partner's."""
-        array: Ints = getattr(sim.atoms, f"{self.name}_atom")
+        array: Small = getattr(sim.atoms, f"{self.name}_atom")
         return array
 
     def recount(self, sim: Simulation) -> int:
@@ -112,8 +112,8 @@ def entries(sim: Simulation, kind: Kind, wanted: Wanted | None = None) -> Entrie
     used = np.arange(types.shape[1])[None, :] < kind.numbers(sim)[:n, None]
     rows, slots = np.nonzero(used & wanted(types) if wanted else used)
     members = kind.members(sim)[rows, slots]
-    tags = np.stack([atoms.tag[rows], members], axis=1) if kind is BOND else members
-    return Entries(kind, rows, slots, types[rows, slots], tags)
+    tags = np.stack([atoms.tag[rows], members], axis=1) if kind is BOND else members.astype(np.int64)
+    return Entries(kind, rows, slots, types[rows, slots].astype(np.int64), tags)
 
 
 def keepers(sim: Simulation, kind: Kind, tags: Ints) -> Ints:

@@ -11,7 +11,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from pylmp.model.atoms import Atoms, Floats, Ints
+from pylmp.model.atoms import AnyInts, Atoms, Floats
 from pylmp.model.box import Boundary, Box, check_near, extremes
 from pylmp.model.console import Console
 from pylmp.text.diagnostic import ScriptError
@@ -135,7 +135,7 @@ class Triclinic(Box):
 
     # ---- periodic images --------------------------------------------------------------------------------------
 
-    def remap(self, x: Floats, image: Ints) -> None:
+    def remap(self, x: Floats, image: AnyInts) -> None:
         f = self.fractions(x)
         self._wrap_all(f, image, *_UNIT)
         x[:] = self.positions(f)
@@ -145,7 +145,7 @@ class Triclinic(Box):
         self._bring_near(f, self.fractions(old), _UNIT[1])
         new[:] = self.positions(f)
 
-    def unwrap(self, x: Floats, image: Ints) -> Floats:
+    def unwrap(self, x: Floats, image: AnyInts) -> Floats:
         h, (a, b, c) = self.h, image.T
         result = np.empty_like(x)
         result[:, 0] = x[:, 0] + h[0] * a + h[5] * b + h[4] * c
@@ -153,7 +153,7 @@ class Triclinic(Box):
         result[:, 2] = x[:, 2] + h[2] * c
         return result
 
-    def unmap(self, x: Floats, image: Ints) -> None:
+    def unmap(self, x: Floats, image: AnyInts) -> None:
         h, (a, b, c) = self.h, image.T
         x[:, 0] += h[0] * a + h[5] * b + h[4] * c
         x[:, 1] += h[1] * b + h[3] * c

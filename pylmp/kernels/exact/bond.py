@@ -31,7 +31,7 @@ def bond_list(newton: bool, memory: int) -> Function:
         return best
 
     def list_bonds(
-        x: "f8*", tag: "i8*", first: "i8*", same: "i8*", num_bond: "i8*", bond_type: "i8*", bond_atom: "i8*",
+        x: "f8*", tag: "i8*", first: "i8*", same: "i8*", num_bond: "i4*", bond_type: "i4*", bond_atom: "i4*",
         bond_history: "f8*", wide: "i8", mine: "u1*", tags: "i8", bonds: "i8*", history: "f8*", n: "i8", capacity: "i8",
         tolerant: "i8",
     ) -> "f8":
@@ -78,7 +78,7 @@ def copy_back(memory: int) -> Function:
     """What listed bonds remember, back to the slots of their owned ends."""
 
     def remember(
-        tag: "i8*", num_bond: "i8*", bond_atom: "i8*", bond_history: "f8*", wide: "i8", bonds: "i8*", history: "f8*",
+        tag: "i8*", num_bond: "i4*", bond_atom: "i4*", bond_history: "f8*", wide: "i8", bonds: "i8*", history: "f8*",
         count: "i8", n: "i8",
     ) -> "f8":
         for b in range(count):

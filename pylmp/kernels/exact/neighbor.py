@@ -68,7 +68,7 @@ def listing(mode: str, one_type: bool, weighted: bool, periodic: tuple[bool, boo
     once = mode in (HALF_OWNED, HALF_TRICLINIC)
     px, py, pz = periodic
 
-    def kind_of(tag: int, num: "i8*", special: "i8*", i: int, wide: int) -> int:
+    def kind_of(tag: int, num: "i4*", special: "i4*", i: int, wide: int) -> int:
         for q in range(num[3 * i + 2]):
             if special[i * wide + q] == tag:
                 if q < num[3 * i]:
@@ -90,7 +90,7 @@ def listing(mode: str, one_type: bool, weighted: bool, periodic: tuple[bool, boo
 
     def list_neighbors(
         x: "f8*", type_: "i8*", tag: "i8*", bin_of: "i8*", start: "i8*", member: "i8*", at: "i8*", place: "f8*",
-        rows: "i8*", cut2: "f8*", types: "i8", num: "i8*", special: "i8*", wide: "i8", policy: "i8*", halves: "f8*",
+        rows: "i8*", cut2: "f8*", types: "i8", num: "i4*", special: "i4*", wide: "i8", policy: "i8*", halves: "f8*",
         first: "i8*", neighbors: "i4*", n: "i8", total: "i8", capacity: "i8",
     ) -> "f8":
         """rows[0]: stencil rows, then (first bin, last bin) of each, relative to an atom's bin. Returns entries, -1: no room."""

@@ -15,7 +15,7 @@ _NEVER = float("nan")  # nothing is below or above it
 
 def wrap() -> Function:
     def wrap_atoms(
-        x: "f8*", v: "f8*", image: "i8*", mask: "i8*", lo: "f8*", hi: "f8*", periodic: "i8*", rate: "f8*", group: "i8", n: "i8"
+        x: "f8*", v: "f8*", image: "i4*", mask: "i8*", lo: "f8*", hi: "f8*", periodic: "i8*", rate: "f8*", group: "i8", n: "i8"
     ) -> "f8":
         """Periodic coordinates move by at most one box length a side; image flags, ten bits each, count it.
 
