@@ -29,6 +29,7 @@ from pylmp.text.diagnostic import ScriptError
 from pylmp.text.number import shortest
 
 _PERIODIC = (("p", "p"),) * 3
+_NOBODY = 2**31 - 1  # no atom has this ID
 
 
 def restore(sim: Simulation, content: Content) -> None:
@@ -190,7 +191,7 @@ def _atoms(sim: Simulation, content: Content) -> None:
         if name in read:
             getattr(atoms, name)[:n] = read[name]
     for kind in sim.style.kinds:
-        types, members = read[f"{kind.name}_type"], read[f"{kind.name}_atom"]
+        types, members = read[f"{kind.name}_type"], np.minimum(read[f"{kind.name}_atom"], _NOBODY)
         most = types.shape[1]
         kind.numbers(sim)[:n] = read[f"num_{kind.name}"]
         kind.kinds(sim)[:n, :most] = types
