@@ -182,7 +182,7 @@ class FastRun(GhostRun):
                 warn_small_box(sim)
         self.occasional.make_room(sim)
         self.forces.rebuild(sim)
-        self.ghosts.first = atoms.rows_by_tag() if setup or leaving or sorting else self.ghosts.first
+        self.ghosts.first = self.forces.by_tag
         self.occasional.forget()
         self.ago = 0
         self.builds += 1

@@ -35,12 +35,12 @@ class LeftOut:
     def functions(self) -> list[Function]:
         return [self._leave]
 
-    def build(self, sim: Simulation, nobody: bool) -> None:
-        """nobody: the list leaves them out by itself."""
+    def build(self, sim: Simulation, nobody: bool, by_tag: Ints) -> None:
+        """nobody: the list leaves them out by itself. by_tag: row of each ID."""
         if nobody:
             self.first = np.zeros(sim.atoms.n + 1, np.int64)
             return
-        atoms, by_tag = sim.atoms, sim.atoms.rows_by_tag()
+        atoms = sim.atoms
         zero = (np.array(sim.special.lj) == 0.0).astype(np.uint8)
         self.first, self.rows = np.zeros(atoms.n + 1, np.int64), np.zeros(1, np.int32)
         while (count := int(self._into(sim, zero, by_tag)())) >= len(self.rows):
@@ -110,9 +110,9 @@ class FastBonds:
         self.memories = np.zeros(max(1, self.memory) * slots + LANES)
         self.first, self.depth = np.zeros(count + 1, np.int64), np.zeros(count + 1, np.int32)
 
-    def build(self, sim: Simulation, filler: int) -> None:
-        """New slots, from what the atoms store; filler: the row of nobody. Raises ScriptError where a partner is nowhere."""
-        atoms, n, count, by_tag = sim.atoms, sim.atoms.n, blocks(sim.atoms.n), sim.atoms.rows_by_tag()
+    def build(self, sim: Simulation, filler: int, by_tag: Ints) -> None:
+        """New slots, from what the atoms store; filler: the row of nobody; by_tag: row of each ID. Raises ScriptError where a partner is nowhere."""
+        atoms, n, count = sim.atoms, sim.atoms.n, blocks(sim.atoms.n)
         held, mine = np.zeros(LANES * count, np.int32), self.part.mine
         missing = kernel(self._count).bind(
             atoms.num_bond, atoms.bond_type, atoms.bond_atom, atoms.bond_per_atom, mine, by_tag, len(by_tag), held, n, sim.lost_bonds != "error",

@@ -79,6 +79,7 @@ class FastForces:
         self._held_box, self._moving_faces = sim.box.corners(), False
         self._nothing = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8), np.zeros((8, 8))
         self._held, self._limit2 = np.zeros((0, 3)), np.zeros(1)
+        self.by_tag = np.zeros(0, np.int64)  # row of each ID
         self._laid_out = False  # types and bonds, for the rows as they now are
 
     def prepare(self, sim: Simulation, more: list[Function]) -> tuple[int, int]:
@@ -126,11 +127,13 @@ class FastForces:
             self._laid_out = True
             self._kinds = np.ones(3 * atoms.capacity, np.int32)
             self._kinds[: 3 * total : 3] = atoms.type[:total]
-            self.left_out.build(sim, nobody=self._ghosts)
+            if self.bonds or not self._ghosts:
+                self.by_tag = atoms.rows_by_tag()
+            self.left_out.build(sim, self._ghosts, self.by_tag)
             for listed in self.bonds:
                 if not listed.part.stored:
                     store_reference(sim, listed.part)
-                listed.build(sim, filler)
+                listed.build(sim, filler, self.by_tag)
         else:
             for listed in self.bonds:
                 listed.forgetting()()

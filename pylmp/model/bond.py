@@ -181,14 +181,16 @@ def _coefficients(sim: Simulation, args: Args, part: BondPart) -> tuple[float, .
 
 def bond_pairs(sim: Simulation, wanted: Callable[[AnyInts], Any]) -> tuple[Ints, Ints, Ints]:
     """(rows, slots, partner rows) of owned atoms' bonds whose type satisfies wanted, in row and slot order; partner -1: unknown."""
+    return pairs_of_rows(sim, wanted, 0, sim.atoms.n, sim.atoms.rows_by_tag())
+
+
+def pairs_of_rows(sim: Simulation, wanted: Callable[[AnyInts], Any], begin: int, end: int, by_tag: Ints) -> tuple[Ints, Ints, Ints]:
+    """The same of rows begin to end. by_tag: as rows_by_tag gives it."""
     atoms = sim.atoms
-    if atoms.n == 0 or atoms.bond_per_atom == 0:
-        return (np.zeros(0, np.int64),) * 3
     slots = np.arange(atoms.bond_per_atom)
-    used = (slots[None, :] < atoms.num_bond[: atoms.n, None]) & wanted(atoms.bond_type[: atoms.n])
-    rows, cols = np.nonzero(used)
+    rows, cols = np.nonzero((slots < atoms.num_bond[begin:end, None]) & wanted(atoms.bond_type[begin:end]))
+    rows += begin
     partner = atoms.bond_atom[rows, cols]
-    by_tag = atoms.rows_by_tag()
     unknown = partner >= len(by_tag)
     partner[unknown] = 0
     found = by_tag[partner]

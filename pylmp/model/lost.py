@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pylmp.model.atoms import Ints
-from pylmp.model.bond import bond_pairs
+from pylmp.model.bond import pairs_of_rows
 from pylmp.model.topology import BOND, Kind, entries
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
-_BONDS = 2**16  # that are looked at together: a bound on memory
+_ROWS = 2**15  # that are looked at together: a bound on memory
 _STRETCH = 1.1  # measured on LAMMPS 22 Jul 2025: it warns as if bonds were this much longer
 
 
@@ -62,44 +62,40 @@ def check_bonded(sim: Simulation) -> None:
 
 def warn_image_flags(sim: Simulation) -> None:
     """Image flags that disagree along a bond: unwrapped, it is longer than half the box (where not periodic, than the box)."""
-    rows, partners = _bonded(sim, "Bond atom missing in image check")
-    if not len(rows):
-        return
     atoms, box = sim.atoms, sim.box
     limit = np.where(box.periodic, 0.5, 1.0) * box.length
 
-    def torn(one: Ints, other: Ints) -> bool:
+    torn = False
+    for one, other in _bonded(sim, "Bond atom missing in image check"):
         apart = box.unwrap(atoms.x[one], atoms.image[one]) - box.unwrap(atoms.x[other], atoms.image[other])
-        return bool(np.any((np.abs(apart) > limit)[:, : sim.dimension]))
-
-    if any(torn(one, other) for one, other in _stretches(rows, partners)):
+        torn = torn or bool(np.any((np.abs(apart) > limit)[:, : sim.dimension]))
+    if torn:
         sim.console.warning("Inconsistent image flags\nFor more information see https://docs.lammps.org/err0027")
 
 
 def warn_small_box(sim: Simulation) -> None:
     """The longest bond, a tenth longer, and two or three of them where there are angles or dihedrals, must fit into half the box."""
-    rows, partners = _bonded(sim, "Bond atom missing in box size check")
-    if not len(rows):
-        return
-    longest = 0.0
-    for one, other in _stretches(rows, partners):
+    longest = -1.0
+    for one, other in _bonded(sim, "Bond atom missing in box size check"):
         d = sim.box.minimum_image(sim.atoms.x[one] - sim.atoms.x[other])
         longest = max(longest, float(np.sqrt(d[:, 0] * d[:, 0] + d[:, 1] * d[:, 1] + d[:, 2] * d[:, 2]).max()))
+    if longest < 0.0:
+        return
     reach = longest * _STRETCH * (3.0 if sim.dihedrals else 2.0 if sim.angles else 1.0)
     if np.any(((reach > 0.5 * sim.box.length) & np.array(sim.box.periodic))[: sim.dimension]):
         sim.console.warning("Bond/angle/dihedral extent > half of periodic box length")
 
 
-def _stretches(rows: Ints, partners: Ints) -> Iterator[tuple[Ints, Ints]]:
-    return ((rows[k : k + _BONDS], partners[k : k + _BONDS]) for k in range(0, len(rows), _BONDS))
-
-
-def _bonded(sim: Simulation, sentence: str) -> tuple[Ints, Ints]:
-    """Rows of both ends of the bonds that are on, where the box is periodic; sentence: to say of those with one end."""
-    nothing = np.zeros(0, np.int64)
+def _bonded(sim: Simulation, sentence: str) -> Iterator[tuple[Ints, Ints]]:
+    """Rows of both ends of the bonds that are on, where the box is periodic, in stretches of bonds; sentence: to say of those with one end."""
     if not sim.has_bonds or not any(sim.box.periodic):
-        return nothing, nothing
-    rows, _, partners = bond_pairs(sim, lambda kinds: kinds > 0)
-    lost = bool((partners < 0).any())
-    check_lost_partner(sim, lost, sentence)
-    return (rows[partners >= 0], partners[partners >= 0]) if lost else (rows, partners)
+        return
+    lost, by_tag = False, sim.atoms.rows_by_tag()
+    for begin in range(0, sim.atoms.n, _ROWS):
+        rows, _, partners = pairs_of_rows(sim, lambda kinds: kinds > 0, begin, min(begin + _ROWS, sim.atoms.n), by_tag)
+        here = partners >= 0
+        if not lost and not here.all():
+            lost = True
+            check_lost_partner(sim, lost, sentence)
+        if here.any():
+            yield rows[here], partners[here]

@@ -9,10 +9,17 @@ import numpy as np
 
 from pylmp.model.atoms import Floats
 
+_TERMS = 2**17  # at a time: a bound on memory
+
 
 def total(terms: Floats) -> float:
     """Sum of a (k,) array, strictly first to last."""
-    return float(np.add.accumulate(terms)[-1]) + 0.0 if len(terms) else 0.0
+    if not len(terms):
+        return 0.0
+    last = float(np.add.accumulate(terms[:_TERMS])[-1])
+    for begin in range(_TERMS, len(terms), _TERMS):
+        last = float(np.add.accumulate(np.append(last, terms[begin : begin + _TERMS]))[-1])
+    return last + 0.0
 
 
 def totals(terms: Floats) -> Floats:

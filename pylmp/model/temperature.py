@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 Rows = NDArray[np.bool_]
 
+_ROWS = 2**16  # that are looked at together: a bound on memory
+
 
 class Temperature(Compute):
     """Base of temp, temp/partial, temp/com, temp/region.
@@ -56,8 +58,13 @@ class Temperature(Compute):
 
     def scalar(self, sim: Simulation) -> float:
         rows = self.members(sim)
-        m, v = sim.masses()[rows], self.thermal(sim, rows)
-        t = total((v[:, 0] * v[:, 0] + v[:, 1] * v[:, 1] + v[:, 2] * v[:, 2]) * m)
+        v, terms = self.thermal(sim, rows), sim.masses()
+        if len(v) < len(terms):
+            terms = terms[rows]
+        for begin in range(0, len(v), _ROWS):
+            part, m = v[begin : begin + _ROWS], terms[begin : begin + _ROWS]
+            m *= part[:, 0] * part[:, 0] + part[:, 1] * part[:, 1] + part[:, 2] * part[:, 2]
+        t = total(terms)
         dof = self.dof(sim)
         if dof < 0.0 and rows.any():
             raise ScriptError("Temperature compute degrees of freedom < 0", hint="more atoms, or a smaller extra/dof")
@@ -79,8 +86,9 @@ class Temperature(Compute):
     # ---- the drift --------------------------------------------------------------------------------------------
 
     def thermal(self, sim: Simulation, rows: Rows) -> Floats:
-        """(k, 3) velocities of the chosen owned atoms without their drift."""
-        return sim.atoms.v[: sim.atoms.n][rows]
+        """(k, 3) velocities of the chosen owned atoms without their drift, to read only."""
+        v = sim.atoms.v[: sim.atoms.n]
+        return v if rows.all() else v[rows]
 
     def remove_bias(self, sim: Simulation, rows: Rows) -> Any:
         """Take the drift out of the velocities of the chosen atoms, in place; returns what restore_bias needs."""
