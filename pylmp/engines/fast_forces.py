@@ -175,16 +175,16 @@ class FastForces:
         if self._single and len(self._scrap) < rows + 1:
             self._scrap = np.zeros((rows + 1, 3))
         self._calls = {
-            level: [self._bound(sim, level, function, k, self._sums[k], atoms.f) for k, function in enumerate(functions)]
+            level: [self.bound(sim, level, function, k, self._sums[k], atoms.f) for k, function in enumerate(functions)]
             for level, functions in self._kernels.items()
         }
         self._part_calls = [
-            self._bound(sim, 1, function, 0, sums, self._scrap, part) for function, sums, part in zip(self._single, self._part_sums, self.parts, strict=False)
+            self.bound(sim, 1, function, 0, sums, self._scrap, part) for function, sums, part in zip(self._single, self._part_sums, self.parts, strict=False)
         ]
         self._limit2[0] = 0.25 * sim.neighbor.skin * sim.neighbor.skin
         self._moved_call = sim.team.split(atoms.n, lambda a, b: kernel(self._moved).bind(atoms.x[a:], self._held[a:], self._limit2, b - a))
 
-    def _bound(self, sim: Simulation, level: int, function: Function, k: int, sums: Floats, f: Floats, part: PairPart | None = None) -> Call:
+    def bound(self, sim: Simulation, level: int, function: Function, k: int, sums: Floats, f: Floats, part: PairPart | None = None) -> Call:
         """The k-th loop of a level, bound, its parts a job of the team; part: of this pair style alone."""
         atoms, lists, bonds = sim.atoms, self.lists, self.bonds[k] if self.bonds else None
         whole, small, tiny, number = self._nothing
