@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from pylmp.cli import main
 from tests.corpus_reader import cases
 
 ROOT = Path(__file__).parents[2]
@@ -75,3 +76,51 @@ def test_scripts_that_run_are_not_complained_about() -> None:
                 wrong.append((path.name, one))
     assert len(paths) > 120
     assert not wrong
+
+
+def test_scripts_of_inputs_have_no_warnings() -> None:
+    paths = sorted(ROOT.glob("inputs/*/in.*"))
+    told = look(paths)
+    wrong = [(path.name, one) for path in paths for one in told["found"][str(path)] if one[2] == "warning"]
+    assert not wrong
+
+
+def test_holes_templates_and_formats(tmp_path: Path, monkeypatch: Any, capsys: Any) -> None:
+    script = """units lj
+lattice fcc {{density}}
+region cell block 0 3 0 3 0 3
+create_box 1 cell
+create_atoms 1 random 20 4711 cell
+mass 1 1.0
+pair_style lj/cut 2.0
+pair_coeff 1 1 1.0 1.0
+fix 1 all nve
+run 10
+variable e equal pe
+if "${e} > 0" then "thermo nothing" else "thermo 10 20"
+fix 2 all nvve
+print "${missing}"
+"""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "in.holes").write_text(script)
+    assert main(["check", "in.holes", "--format", "json"]) == 3
+    found = json.loads(capsys.readouterr().out)["found"]
+    assert [one["line"] for one in found if one["severity"] == "error"] == [12, 12, 13, 14]
+    assert any(one["code"] == "N002" for one in found)
+    assert main(["check", "in.holes", "--format", "github"]) == 3
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 4
+    assert all(
+        re.match(r"::error file=in\.holes,line=1[234],col=\d+,endColumn=\d+,title=pylmp E001::", line) for line in lines
+    )
+    assert main(["check", "in.holes", "--format", "sarif"]) == 3
+    report = json.loads(capsys.readouterr().out)
+    run = report["runs"][0]
+    assert report["version"] == "2.1.0"
+    for result in run["results"]:
+        assert run["tool"]["driver"]["rules"][result["ruleIndex"]]["id"] == result["ruleId"]
+        assert result["level"] in ("error", "warning", "note")
+        assert result["locations"][0]["physicalLocation"]["region"]["startLine"] >= 1
+    assert main(["check", "in.holes", "--ignore", "E"]) == 0
+    assert main(["check", "in.none"]) == 2
+    assert main(["check"]) == 2

@@ -69,6 +69,10 @@ class Look(Interpreter):
         span = diagnostic.span or Span("", 0, 0)
         self.found.setdefault((span.file, span.line, span.column, diagnostic.message), diagnostic)
 
+    def sources(self) -> list[list[str]]:
+        """The lines of every file that was read."""
+        return list(self._sources.values())
+
     def warn(self, rule: Rule, span: Span | None, message: str, hint: str = "") -> None:
         """What a rule found."""
         self.add(Diagnostic(message, span or self.span, hint, rule.code, rule.manual, rule.severity))

@@ -76,6 +76,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="Exit code: 0; 3 if there are errors; 2 for wrong usage. `# pylmp: ignore[CODE]` on a line silences a finding there.",
     )  # fmt: skip
     add = parser.add_argument
+    add("--notes", action="store_true", help="show notes too: warnings of LAMMPS itself, what is not checked and why")
     add("files", nargs="+", type=Path, metavar="FILE", help="scripts; put them first")
     add("-var", "-v", nargs="+", action="append", default=[], metavar="WORD", help="NAME VALUE...: an index variable")
     add("--format", choices=("text", "json", "sarif", "github"), default="text", help="default: text")
