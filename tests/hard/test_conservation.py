@@ -1,4 +1,7 @@
-"""What central forces and velocity Verlet keep, on both engines: momenta to round-off per step, and the way back."""
+"""What central forces and velocity Verlet keep, on both engines: momenta to round-off per step, and the way back.
+
+Seen to fail: with fix addforce 1e-14 (momenta), with fix viscous 1e-9 (the way back).
+"""
 
 from __future__ import annotations
 
