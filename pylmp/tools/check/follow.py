@@ -72,7 +72,8 @@ class Failures:
             return False
         name = words[0]
         if not has_box and self._commands & set(_BOX):
-            return "box" in message or name in ("create_atoms", "create_box", *_COMPLETE)
+            if "box" in message or name in ("create_atoms", "create_box", *_COMPLETE):
+                return True
         if _OF_STYLE.get(name) in self._commands or (name in _COMPLETE and self._weighty):
             return True
         return bool(self._names & self._mentioned(words))
