@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pylmp.model.atoms import Floats, Ints
+from pylmp.model.bond import pairs_of_rows
 from pylmp.model.topology import BOND, entries
 from pylmp.text.diagnostic import ScriptError
 
 if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
+_ROWS = 2**15  # that are looked at together: a bound on memory
 SAFE, BLOWS_UP = 0.1, 2.0  # omega dt: where velocity Verlet's frequency is off by 1/2400; where it diverges
 
 
@@ -21,28 +23,29 @@ def stiffest(sim: Simulation) -> list[tuple[int, str, float]]:
 
     Bonds that remember are taken at rest. Left out: types without a law of two atoms (tables, volumes), and those that push nothing back.
     """
-    atoms = sim.atoms
-    found = entries(sim, BOND, lambda types: types > 0).once(sim)
-    rows = atoms.rows_by_tag()[found.tags]
-    there = (rows >= 0).all(axis=1) & (rows < atoms.n).all(axis=1)
-    rows, kinds = rows[there], found.types[there]
-    apart = atoms.x[rows[:, 0]] - atoms.x[rows[:, 1]]
-    if not len(rows) or not np.isfinite(apart).all():
+    atoms, n = sim.atoms, sim.atoms.n
+    if not np.isfinite(atoms.x[:n]).all():
         return []
-    r = np.sqrt((sim.box.minimum_image(apart) ** 2).sum(axis=1))
-    mass = sim.mass[atoms.type[rows]]
-    inverse = (1.0 / mass).sum(axis=1) * sim.units.ftm2v
-    fastest = []
-    for part in sim.bond.parts:
-        if part.tabled or part.style.volumes(part.options):
-            continue
-        for kind in np.flatnonzero(part.mine).tolist():
-            mine = (kinds == kind) & (r > 0.0)
-            k = _stiffness(part, kind, r[mine])
-            square = np.nanmax(k * inverse[mine], initial=0.0)
-            if np.isfinite(square) and square > 0.0:
-                fastest.append((kind, part.style.name, float(np.sqrt(square))))
-    return fastest
+    squares: dict[int, float] = {}
+    by_tag = atoms.rows_by_tag()
+    parts = [part for part in sim.bond.parts if not part.tabled and not part.style.volumes(part.options)]
+    for begin in range(0, n, _ROWS):
+        rows, slots, partners = pairs_of_rows(sim, lambda types: types > 0, begin, min(begin + _ROWS, n), by_tag)
+        there = partners >= 0
+        ends, kinds = np.stack([rows[there], partners[there]], axis=1), atoms.bond_type[rows[there], slots[there]]
+        r = np.sqrt((sim.box.minimum_image(atoms.x[ends[:, 0]] - atoms.x[ends[:, 1]]) ** 2).sum(axis=1))
+        inverse = (1.0 / sim.mass[atoms.type[ends]]).sum(axis=1) * sim.units.ftm2v
+        for part in parts:
+            for kind in np.flatnonzero(part.mine).tolist():
+                mine = (kinds == kind) & (r > 0.0)
+                square = float(np.nanmax(_stiffness(part, kind, r[mine]) * inverse[mine], initial=0.0))
+                squares[kind] = max(squares.get(kind, 0.0), square)
+    return [
+        (kind, part.style.name, float(np.sqrt(squares[kind])))
+        for part in parts
+        for kind in np.flatnonzero(part.mine).tolist()
+        if np.isfinite(squares.get(kind, 0.0)) and squares.get(kind, 0.0) > 0.0
+    ]
 
 
 def _stiffness(part: Any, kind: int, r: Floats) -> Floats:
