@@ -73,6 +73,10 @@ class Look(Interpreter):
         """The lines of every file that was read."""
         return list(self._sources.values())
 
+    def files(self) -> dict[str, str]:
+        """The text of every file that was read."""
+        return {name: "\n".join(lines) for name, lines in self._sources.items()}
+
     def warn(self, rule: Rule, span: Span | None, message: str, hint: str = "") -> None:
         """What a rule found."""
         self.add(Diagnostic(message, span or self.span, hint, rule.code, rule.manual, rule.severity))
