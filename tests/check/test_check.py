@@ -85,6 +85,21 @@ def test_scripts_of_inputs_have_no_warnings() -> None:
     assert not wrong
 
 
+def test_decks_have_no_warnings_but_what_they_are_about() -> None:
+    """Definitions that nothing uses (P2) are many a deck's purpose; the others are told here."""
+    meant = {
+        "delete_bonds.in": "P101",
+        "minimize.in": "P109",  # bonds stretched past Rc before it begins
+        "reset_atoms.in": "P113",
+        "all_at_once.in": "P109",
+        "last_step.in": "P108 P109",
+    }
+    told = look(sorted(ROOT.glob("tests/decks/*/*.in")))
+    for path, found in told["found"].items():
+        codes = {one[3] for one in found if one[2] == "warning" and not one[3].startswith("P2")}
+        assert codes == set(meant.get(Path(path).name, "").split()), (path, found)
+
+
 def test_holes_templates_and_formats(tmp_path: Path, monkeypatch: Any, capsys: Any) -> None:
     script = """units lj
 lattice fcc {{density}}
