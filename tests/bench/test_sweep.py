@@ -1,7 +1,4 @@
-"""pylmp bench --dt: energy error against time, on a small liquid and on chains that break.
-
-Seen to fail: with the energy of broken bonds left out (spread), with the run's steps not scaled (time).
-"""
+"""pylmp bench --dt: energy error against time, on a small liquid and on chains that break."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ on both, to 0.02 s of 0.32 s, once the kernels are in the store.
 One thing is not as in LAMMPS: where write_restart makes ghosts anew between two runs, LAMMPS forgets what bonds across a periodic face went
 through since the last rebuild. The fast engine has no ghosts there and forgets nothing.
 
-Written by `python -m tests.engines.page`; a test runs every deck and compares both the result with the exact engine and the row with the log.
+Written by `python -m tests.engines.page`; `pytest -m long` runs every deck and compares both the result with the exact engine and the row with the log.
 
 | deck | on the exact engine |
 |---|---|"""

@@ -1,4 +1,7 @@
-"""Every deck of tests/decks and of inputs/ on the fast engine: what docs/engines.md says runs there does, and to round-off as on the exact one."""
+"""Decks of tests/decks and of inputs/ on the fast engine: what docs/engines.md says runs there does, and to round-off as on the exact one.
+
+Each deck is a scene of its own with kernels of its own to compile, which takes minutes in all: ``pytest -m long`` carries them out.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,7 @@ DEPARTS = {  # and why
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("deck", DECKS, ids=[name(deck) for deck in DECKS])
 def test_as_on_the_exact_engine(deck: Path, tmp_path: Path) -> None:
     """Atoms part no more than they do on the exact engine when they are moved by 1e-15 before each run."""

@@ -17,7 +17,7 @@ from pathlib import Path
 
 # What cannot be the same: times, memory, places in LAMMPS's source; and what pylmp adds: the place, hints, links.
 _DROPPED = re.compile(
-    r"Total wall time|NOTE: | rebalancing time|--> parsed line: |Last input line|For more information|  --> |   \| |  hint: |  manual: |LAMMPS \(22|  using 1 Open|  pylmp "
+    r"Total wall time|NOTE: |Engine exact: | rebalancing time|--> parsed line: |Last input line|For more information|  --> |   \| |  hint: |  manual: |LAMMPS \(22|  using 1 Open|  pylmp "
     r"|Per MPI rank|Loop time|Performance:|  create_atoms CPU|\S+\s+\| |.*% CPU use|\s*\^+\s*$|  Please report"
 )
 
@@ -104,7 +104,7 @@ def _run_pylmp(folders: list[Path]) -> None:
         os.chdir(folder)
         screen = io.StringIO()
         with contextlib.redirect_stdout(screen):
-            code = main(["in.case", "-log", "log", "--allow", "env", "--allow", "shell"])
+            code = main(["in.case", "-log", "log", "--engine", "exact", "--allow", "env,shell"])
         (folder / "screen").write_text(screen.getvalue(), errors="surrogateescape")
         (folder / "code").write_text(str(code))
 

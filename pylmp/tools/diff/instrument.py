@@ -119,10 +119,11 @@ def _around(bonds: str, energies: bool, steps: str, extras: Extras) -> tuple[lis
         if len(asked) == 1:
             listed = listed.replace("c_pylmp_bonds[1]", "c_pylmp_bonds")
         breaks = bonds.startswith(BREAKABLE)
+        counted = "bonds" if bonds.startswith("bpm/") else "sum(c_pylmp_types)"  # those of quartic stay among bonds, as type 0
         if breaks:
+            before += ["compute pylmp_types all count/type bond"] if counted != "bonds" else []
             before += [
-                "compute pylmp_types all count/type bond",
-                "variable pylmp_live equal sum(c_pylmp_types)",
+                f"variable pylmp_live equal {counted}",
                 f"fix pylmp_count all ave/time 1 1 1 v_pylmp_live file {COUNT}${{pylmp_k}}",
             ]
         if extras.ledger:
@@ -134,7 +135,7 @@ def _around(bonds: str, energies: bool, steps: str, extras: Extras) -> tuple[lis
             ]
             after += ["undump pylmp_ledger", "variable pylmp_steps delete"]
         if breaks:
-            after += ["unfix pylmp_count", "variable pylmp_live delete", "uncompute pylmp_types"]
+            after += ["unfix pylmp_count", "variable pylmp_live delete", *(["uncompute pylmp_types"] if counted != "bonds" else [])]
         after += [
             f"write_dump all local {BONDS} {listed} modify append yes {_PRECISE}",
             "uncompute pylmp_bonds",
