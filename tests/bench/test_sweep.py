@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.long  # dozens of whole runs
+
 LIQUID = """units lj
 variable steps index 200
 lattice fcc 0.8442

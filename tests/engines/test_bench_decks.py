@@ -82,6 +82,7 @@ def test_forces_energies_virials(name: str, tmp_path: Path) -> None:
     assert np.abs(there[:, 4:] - fast).max() <= limit
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", BREAKING)
 def test_bonds_break_in_the_same_steps(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Over 1000 steps; there is no tie among them, a bond so close to its limit that it breaks a step earlier or later."""

@@ -215,7 +215,7 @@ def test_wrap(some: Some, periodic: tuple[bool, bool, bool], flows: bool) -> Non
     lo, hi, rate = np.array([-0.9, 0.0, -1.5]), np.array([1.1, 1.0, 1.5]), np.arange(1.0, 7.0)
     some.x[: some.n : 7] = lo - 1e-17  # one length up is on the high face, or beyond
     some.x[3 : some.n : 9] *= 4.0
-    image = np.random.default_rng(some.seed).choice([-512, -1, 0, 511], (some.n, 3))
+    image = np.random.default_rng(some.seed).choice([-512, -1, 0, 511], (some.n, 3)).astype(np.int32)
     x, v, flags, group = some.x.copy(), some.v.copy(), image.copy(), BIT if flows else 0
     moved_by = ([rate[0], 0.0, 0.0], [rate[5], rate[1], 0.0], [rate[4], rate[3], rate[2]])
     for i, d in product(range(some.n), range(3)):
