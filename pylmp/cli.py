@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
+from importlib import import_module
 from pathlib import Path
 
 from pylmp import __version__
@@ -20,34 +21,15 @@ from pylmp.tools.permits import add_switches
 
 USAGE = 2
 MOST_THREADS = 64
+TOOLS = ("bench", "check", "diff", "doctor", "explain", "restart")  # of pylmp.tools
 ENGINES = ("auto", "exact", "fast", "lammps")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Entry point; returns the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    if words[:1] == ["diff"]:
-        from pylmp.tools.diff import main as diff
-
-        return _guarded(diff, words[1:])
-    if words[:1] == ["bench"]:
-        from pylmp.tools.bench import main as bench
-
-        return _guarded(bench, words[1:])
-    if words[:1] == ["explain"]:
-        from pylmp.tools.explain import main as explain
-
-        return _guarded(explain, words[1:])
-    if words[:1] == ["check"]:
-        from pylmp.tools.check import main as check
-
-        return _guarded(check, words[1:])
-    if words[:1] == ["doctor"]:
-        from pylmp.tools.doctor import main as doctor
-
-        return _guarded(doctor, words[1:])
-    if words[:1] == ["restart"]:
-        return _restart(words[1:])
+    if words and words[0] in TOOLS:
+        return _tool(words[0], words[1:])
     if words[:1] == ["run"]:
         words = words[1:]
     try:
@@ -55,10 +37,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except SystemExit as leave:
         return int(leave.code or 0)
     if options.restart2info:
-        return _restart(["info", options.restart2info[0]])
+        return _tool("restart", ["info", options.restart2info[0]])
     if options.restart2data:
         flags = [f"--{word}" if word == "nocoeff" else word for word in options.restart2data[2:]]
-        return _restart(["to-data", *options.restart2data[:2], *flags])
+        return _tool("restart", ["to-data", *options.restart2data[:2], *flags])
     _script_after_var(options)
     if options.script is None and options.input is None and sys.stdin.isatty():
         _parser().print_help()
@@ -72,14 +54,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return Session(options).run()
 
 
-def _restart(words: list[str]) -> int:
-    from pylmp.tools.restart import main as restart
-
-    return _guarded(restart, words)
-
-
-def _guarded(tool: Callable[[list[str]], int], words: list[str]) -> int:
+def _tool(name: str, words: list[str]) -> int:
     """A tool's exit code; a reader that left or an interrupt is no error of its own."""
+    tool: Callable[[list[str]], int] = import_module(f"pylmp.tools.{name}").main
     try:
         code = tool(words)
         sys.stdout.flush()
@@ -88,6 +65,9 @@ def _guarded(tool: Callable[[list[str]], int], words: list[str]) -> int:
         return WRONG
     except KeyboardInterrupt:
         return SIGNALLED + signal.SIGINT
+    except OSError as error:
+        print(f"ERROR: Cannot write {error.filename}: {error.strerror}", file=sys.stderr)
+        return WRONG
     return code
 
 

@@ -195,14 +195,10 @@ class FastRun(GhostRun):
         self.end = self.sim.step + steps
         self.renewal.forget()
         self.leap.forget()  # what fixes do, and whatever arrays hold, may have been changed since the last run
-        try:
-            return super().advance(steps)
-        finally:
-            self.sim.team.dismiss()
+        return super().advance(steps)
 
     def step(self) -> None:
         """A step, or many that need nothing of Python."""
-        self.sim.team.gather()
         self.forces.alone(self.sim)
         if not self.leap.go(self, self.end):
             super().step()

@@ -10,7 +10,7 @@ import numpy as np
 
 from pylmp.engines.fast_bonds import FastBonds, LeftOut
 from pylmp.engines.fast_compose import Composer, table_of
-from pylmp.engines.fast_list import FullList
+from pylmp.engines.fast_list import FullList, Step
 from pylmp.engines.ghost_list import GhostList
 from pylmp.kernels.exact import SHARES
 from pylmp.kernels.exact import neighbor as neighbor_loops
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from pylmp.model.simulation import Simulation
 
 Call = Callable[[], float]
-Step = tuple[Call, float, float]
 
 
 def _of_last_run(sim: Simulation) -> FullList | None:

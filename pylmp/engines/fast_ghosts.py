@@ -55,6 +55,13 @@ class GhostRun(Run):
         timers.stamp("Pair")
 
     def advance(self, steps: int) -> RunReport:
-        report = super().advance(steps)
+        try:
+            report = super().advance(steps)
+        finally:
+            self.sim.team.dismiss()
         self.forces.copy_back(self.sim)
         return report
+
+    def step(self) -> None:
+        self.sim.team.gather()
+        super().step()

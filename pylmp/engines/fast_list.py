@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pylmp.model.atoms import Floats, Ints
     from pylmp.model.simulation import Simulation
 
-PARTS = 2  # of a share for each thread: who is late takes fewer
+PARTS_A_THREAD = 2  # of a share: who is late takes fewer
 SHARE = LANES * 2**15  # rows that are listed before they are woven: what is listed needs room for these only
 _FEW = 64  # cells there may be, besides four an atom
 _SPARE = 1.3  # the next list may be longer; memory that nobody touches costs nothing
@@ -50,7 +50,7 @@ class FullList:
         self._grid = gridding(sim.box.periodic, self._flat)
         self._unmark: Function = unmark
         self._team = sim.team
-        self._parts = PARTS * sim.team.threads if sim.team.threads > 1 and len(cuts(sim.atoms.n)) > 1 else 1
+        self._parts = PARTS_A_THREAD * sim.team.threads if sim.team.threads > 1 and len(cuts(sim.atoms.n)) > 1 else 1
         self._room, self._most_listed = 1024, 0  # for each part
         self.first, self.depth, self.edges = np.zeros(1, np.int64), np.zeros(0, np.int32), np.zeros(0, np.uint8)
         self.neighbors = np.zeros(1024, np.int32)

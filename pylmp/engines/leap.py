@@ -62,6 +62,7 @@ class Leap:
         run.forces.may_break()
         last = sim.step + steps
         sim.ticks[0] = sim.step
+        sim.team.gather()
         while True:
             plan[driver.AGO], plan[driver.DANGEROUS], plan[driver.BUILDS] = run.ago, run.dangerous, 0
             plan[driver.QUIET] = max(last + 1 - run.renewal.until, 0) if run.renewal.call else steps

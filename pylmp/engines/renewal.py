@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pylmp.engines.fast_list import Step
 from pylmp.kernels.fast.renewal import renew
 from pylmp.kernels.kinds import Function
 from pylmp.kernels.store import entry, kernel
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from pylmp.engines.fast import FastRun
 
 Call = Callable[[], float]
-Step = tuple[Call, float, float]  # a bound call, and between what its result lies if all is well
 _NEVER = np.iinfo(np.int64).max
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from pylmp.engines.fast_ghosts import GhostRun
 from tests.engines.scenes import script
-from tests.engines.test_fast import bonds, both, rows
+from tests.engines.test_fast import assert_same_hundred_steps, both, rows
 from tests.support import frames, lammps
 
 TWO_PAIRS = "pair_style {} lj/cut 1.3 morse 1.4\npair_coeff {}\n"
@@ -99,12 +99,7 @@ def test_hundred_steps(name: str, tmp_path: Path) -> None:
     for file, limit in (("rdf", 1e-5), ("group", 1e-9)) if "neighbors" in name else ():  # six digits are written, twelve
         one, other = (numbers((tmp_path / engine / file).read_text()) for engine in ("exact", "fast"))
         assert np.abs(one - other).max() <= limit * np.abs(one).max()
-    assert (exact.report.builds, exact.report.dangerous) == (fast.report.builds, fast.report.dangerous)
-    assert np.abs(rows(fast, "x") - rows(exact, "x")).max() <= 1e-11
-    assert np.abs(rows(fast, "v") - rows(exact, "v")).max() <= 1e-10
-    assert (rows(fast, "image") == rows(exact, "image")).all()
-    assert exact.bonds == fast.bonds
-    assert bonds(fast) == bonds(exact)
+    assert_same_hundred_steps(exact, fast)
     shown = [tables(tmp_path / engine) for engine in ("exact", "fast")]
     for one, other in zip(*shown, strict=True):
         assert np.abs(one - other).max() <= 1e-9 * np.abs(one[:, 1:]).max()

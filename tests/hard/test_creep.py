@@ -12,27 +12,13 @@ import numpy as np
 import pytest
 
 from pylmp.engines.fast import Fast
+from tests.hard.pair import PAIR
 from tests.support import simulate
 
 STEPS = 10_000_000
 M, K, DT = 2.0, 100.0, 0.01
 SPEED = 0.05  # swings by 0.01, half of what would yield
-DECK = """units lj
-atom_style bond
-boundary f f f
-newton on off
-comm_modify vel yes cutoff 3
-special_bonds lj 0 1 1 coul 0 1 1
-region cell block -4 4 -4 4 -4 4
-create_box 1 cell bond/types 1 extra/bond/per/atom 1 extra/special/per/atom 2
-create_atoms 1 single -0.5 0 0
-create_atoms 1 single 0.5 0 0
-mass 1 2.0
-pair_style zero 2
-pair_coeff * *
-create_bonds single/bond 1 1 2
-special_bonds lj 0 1 1 coul 1 1 1
-bond_style bpm/spring/plastic
+DECK = PAIR + """bond_style bpm/spring/plastic
 bond_coeff 1 100 0.3 {gamma} 0.02
 fix 1 all nve
 timestep 0.01

@@ -47,8 +47,6 @@ def main(arguments: list[str]) -> int:
         print(f"ERROR: {error.diagnostic.message}\n  hint: {error.diagnostic.hint}", file=sys.stderr)
     except subprocess.TimeoutExpired as error:
         print(f"ERROR: no end after {error.timeout:g} s; --timeout gives it longer", file=sys.stderr)
-    except OSError as error:
-        print(f"ERROR: Cannot write {error.filename}: {error.strerror}", file=sys.stderr)
     return FAILED
 
 

@@ -20,9 +20,6 @@ def main(arguments: list[str]) -> int:
     except ScriptError as error:
         print(render(error.diagnostic), file=sys.stderr)
         return WRONG
-    except OSError as error:
-        print(f"ERROR: Cannot write {error.filename}: {error.strerror}", file=sys.stderr)
-        return WRONG
     print(text)
     return OKAY
 
