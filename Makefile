@@ -26,7 +26,7 @@ run: .venv/ready
 	@echo "What to look at: the first lines of inputs/$(DECK)/in.$(DECK), and the table in README.md."
 
 test: lint
-	$(BIN)/python -m pytest -n $(JOBS)
+	$(BIN)/python -m pytest -n $(JOBS) --dist loadgroup
 
 lint: .venv/ready-to-test
 	$(BIN)/ruff check .

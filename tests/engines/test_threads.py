@@ -15,7 +15,7 @@ import pytest
 from pylmp.engines.fast import Fast
 from pylmp.kernels import team
 from tests.engines.scenes import BONDS, PAIRS, script
-from tests.engines.test_fast_scenes import SCENES, scene
+from tests.engines.test_fast_scenes import RELATIVES, SCENES, scene
 from tests.engines.test_leap import outcome, table
 from tests.support import frames, simulate
 
@@ -37,7 +37,7 @@ def small_parts(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("small_parts")
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", [pytest.param(name, id=name, marks=[pytest.mark.long] if name in RELATIVES else []) for name in TEXTS])
 def test_the_same_bits(name: str, tmp_path: Path) -> None:
     results = []
     for threads in (1, 2, 3):

@@ -223,8 +223,7 @@ class Look(Interpreter):
                 if word.text in ("then", "else", "elif") and not word.quoted:
                     skip = word.text == "elif"
                 elif skip:
-                    skip = word.text != "then" and word not in conditions and skip
-                    skip = skip and word not in conditions
+                    skip = word.text != "then" and word not in conditions
                 else:
                     self.execute_word(word)
         finally:

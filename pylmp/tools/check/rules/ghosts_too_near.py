@@ -6,15 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pylmp.model.bond import bond_pairs
 from pylmp.model.ghosts import ghost_cutoff
 from pylmp.model.scene import Scene
+from pylmp.tools.check.lengths import first_lengths
 from pylmp.tools.check.rule import Rule
 
 if TYPE_CHECKING:
     from pylmp.tools.check.look import Look
-
-_SMALL = 200_000  # atoms whose bonds are looked at
 
 
 class GhostsTooNear(Rule):
@@ -60,14 +58,10 @@ class GhostsTooNear(Rule):
 
     def run(self, look: Look, scene: Scene, steps: int) -> None:
         sim = look.sim
-        if sim.ran or sim.bond is None or not sim.has_bonds or sim.atoms.n > _SMALL or not any(scene.periodic):
+        if not any(scene.periodic) or (found := first_lengths(sim)) is None:
             return
         atoms = sim.atoms
-        rows, slots, partners = bond_pairs(sim, lambda types: types > 0)
-        there = partners >= 0
-        rows, slots, partners = rows[there], slots[there], partners[there]
-        kinds = atoms.bond_type[rows, slots]
-        r = np.sqrt((sim.box.minimum_image(atoms.x[rows] - atoms.x[partners]) ** 2).sum(axis=1))
+        rows, slots, _, kinds, r = found
         reach = ghost_cutoff(sim)
         for part in sim.bond.parts:
             if not (part.style.reference and part.can_break):
