@@ -52,13 +52,6 @@ SCENES = {
     "shares in a tilted box": ("lj", "plastic", "p p p", "change_box all triclinic\nchange_box all xy final 1.0 remap\n" + SHARES, True),
 }  # fmt: skip
 
-# relatives of others above, whose own kernels take ten seconds and more to compile
-RELATIVES = {
-    "weights of flat", "narrow and broken", "sheared", "excluded groups", "half of overlay", "overlay of springs", "shares of two kinds",
-    "neighbors of broken", "neighbors of plastic", "shares in a tilted box",
-}  # fmt: skip
-PARAMETERS = [pytest.param(name, id=name, marks=[pytest.mark.long] if name in RELATIVES else []) for name in SCENES]
-
 
 def scene(name: str, heat: float = 1.0) -> str:
     k = list(SCENES).index(name)
@@ -77,7 +70,7 @@ def tables(folder: Path) -> list[np.ndarray]:
     return [table for _, _, table in frames(folder / "shares")] if (folder / "shares").exists() else []
 
 
-@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize("name", SCENES)
 def test_forces_energies_virials(name: str, tmp_path: Path) -> None:
     text = scene(name)
     apart = f"displace_atoms all random 0.03 0.03 {'0.0' if 'dimension 2' in text else '0.03'} 99\n"
@@ -99,7 +92,7 @@ def test_forces_energies_virials(name: str, tmp_path: Path) -> None:
         assert np.abs(ours - theirs).max() <= 1e-12 * np.abs(theirs[:, 1:]).max()
 
 
-@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize("name", SCENES)
 def test_hundred_steps(name: str, tmp_path: Path) -> None:
     exact, fast = both(scene(name, heat=2.0) + "run 100\n", tmp_path)
     assert exact.report.builds > 1

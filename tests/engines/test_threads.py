@@ -14,16 +14,18 @@ import pytest
 
 from pylmp.engines.fast import Fast
 from pylmp.kernels import team
-from tests.engines.scenes import BONDS, PAIRS, script
-from tests.engines.test_fast_scenes import RELATIVES, SCENES, scene
+from tests.engines.scenes import script
+from tests.engines.test_fast import NAMES
+from tests.engines.test_fast import SCENES as LAWS
+from tests.engines.test_fast import scene as scene_of_laws
+from tests.engines.test_fast_scenes import SCENES, scene
 from tests.engines.test_leap import outcome, table
 from tests.support import frames, simulate
 
 ROOT = Path(__file__).parents[2]
 BATH = "fix 3 all langevin 1.0 1.0 1.0 77\nrun 60\nrun 20 pre no\n"
 TEXTS = {
-    **{f"{pair}-plastic": script(pair, "plastic", heat=2.0) + BATH for pair in PAIRS},
-    **{f"lj-{bond}": script("lj", bond, heat=1.5, seed=4) + BATH for bond in BONDS if bond != "plastic"},
+    **{name: scene_of_laws(*which, heat=2.0) + BATH for name, which in zip(NAMES, LAWS, strict=True)},
     "flat": script("lj", "plastic", flat=True, heat=1.0) + BATH,
     "free": script("lj", "plastic", boundary="s p m", newton="off off", heat=2.0) + BATH,
     **{name: scene(name) + "run 40\n" for name in SCENES},
@@ -37,7 +39,7 @@ def small_parts(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("small_parts")
-@pytest.mark.parametrize("name", [pytest.param(name, id=name, marks=[pytest.mark.long] if name in RELATIVES else []) for name in TEXTS])
+@pytest.mark.parametrize("name", TEXTS)
 def test_the_same_bits(name: str, tmp_path: Path) -> None:
     results = []
     for threads in (1, 2, 3):
